@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/picture.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace onestroke {
+
+/// Where a marker truly is; only cameras that make their own pictures know.
+struct TrueMarker {
+  int id = 0;
+  Pose T_camera_marker;  ///< At exposure.middle().
+  int cells_visible = 0;
+};
+
+/// A source of pictures. One thread calls next(); handles may be released on any thread. A camera outlives its handles.
+class Camera {
+ public:
+  enum class Status {
+    ok,    ///< picture holds the next picture
+    busy,  ///< every buffer is lent out, or none is ready yet; ask again
+    end,   ///< a recording is over, or the device is gone; message() says which
+  };
+
+  virtual ~Camera() = default;
+
+  /// The next picture in order. Live cameras wait for it; files and the synthetic camera make it at once. Never throws.
+  virtual Status next(PictureHandle& picture) = 0;
+  /// Why next() said `end`, one line; empty where the recording simply ended.
+  virtual std::string message() const = 0;
+  /// True where pictures come at their own pace (a device) and the newest wins; false where each must be taken (files).
+  virtual bool live() const = 0;
+  /// Pictures per second; 0 where unknown (unrelated pictures).
+  virtual double rate() const = 0;
+  /// How many pictures there will be; 0 where there is no end.
+  virtual std::size_t length() const = 0;
+  /// The truth beside a picture, where it is known; valid as long as the picture is held.
+  virtual std::span<const TrueMarker> truth(const Picture&) const { return {}; }
+};
+
+}  // namespace onestroke
