@@ -23,13 +23,14 @@ inline constexpr int max_cells = 64;
 Cells cells_from_letters(std::string_view letters);
 std::string to_letters(const Cells& cells);
 
-/// Empty where the cells obey the code's law (3 to max_cells cells, first red, neighbours differ, last not red and as
-/// the stop rule says); otherwise what is wrong, for a message.
+/// Empty where the cells obey the code's law (3 to max_cells cells, first red, neighbours differ, last not red);
+/// otherwise what is wrong, for a message. After a red cell the stop cell may be green, as encode() makes it, or blue:
+/// it carries no data, and markers with either are in use.
 std::string law_violation(const Cells& cells);
 
 /// The code of n cells that carries value, 0 <= value < 2^(n-2), first transition most significant. Throws Error.
 Cells encode(std::uint64_t value, int n);
-/// The value of a lawful code. Throws Error otherwise.
+/// The value of a lawful code; codes that differ in the stop cell alone have the same. Throws Error where unlawful.
 std::uint64_t decode(const Cells& cells);
 /// As decode, for cells read from either end: the red end comes first. Throws Error.
 std::uint64_t decode_either_end(Cells cells);
