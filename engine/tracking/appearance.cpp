@@ -1,0 +1,87 @@
+#include "tracking/appearance.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace onestroke {
+namespace {
+
+constexpr std::array<double, 3> angles{-0.6, 0.0, 0.6};
+
+// The middle of a cell's front in sight: its pixel, or false.
+bool front_in_sight(const ImageView& image, const Intrinsics& k, const RodModel& rod, const EigenPose& pose,
+                    const Vec3d& eye, int cell, double phi, Vec2d& pixel) {
+  const RodModel::Section& m = rod.middle(cell);
+  Vec3d out;
+  const Vec3d x = rod.surface(m, eye, phi, &out);
+  if (out.dot((eye - x).normalized()) < 0.2) return false;
+  if (!project(k, pose * x, pixel) || !image.contains(pixel.x(), pixel.y())) return false;
+  return !rod.hides_itself(m, x, eye);
+}
+
+}  // namespace
+
+Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, const Inks& inks,
+                  const EigenPose& pose) {
+  Appearance a;
+  std::array<int, max_cells_per_marker> on_arm{};
+  const Vec3d eye = -pose.R.transpose() * pose.t;
+  for (int c = 0; c < rod.cell_count(); ++c) {
+    int seen = 0, agrees = 0, contradicts = 0;
+    Vec2d front = Vec2d::Zero();
+    for (const double phi : angles) {
+      Vec2d pixel;
+      if (!front_in_sight(image, intrinsics, rod, pose, eye, c, phi, pixel)) continue;
+      if (phi == 0.0) front = pixel;
+      ++seen;
+      switch (inks.match(image.sample(pixel.x(), pixel.y()), rod.ink(c))) {
+        case Inks::Match::agrees:
+          ++agrees;
+          break;
+        case Inks::Match::contradicts:
+          ++contradicts;
+          break;
+        case Inks::Match::unknown:
+          break;
+      }
+    }
+    if (seen == 0) continue;
+    ++a.in_sight;
+    if (2 * agrees > seen) {
+      ++a.agrees;
+      if (rod.arm_of(c) >= 0) ++on_arm[static_cast<std::size_t>(rod.arm_of(c))];
+      a.cells.push_back({c, front.x(), front.y()});
+    } else if (2 * contradicts > seen) {
+      ++a.contradicts;
+    }
+  }
+  std::partial_sort(on_arm.begin(), on_arm.begin() + 2, on_arm.end(), std::greater<>());
+  a.fewest_on_arm = on_arm[1];
+  return a;
+}
+
+void complete_inks(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, const EigenPose& pose,
+                   Inks& inks) {
+  const Vec3d eye = -pose.R.transpose() * pose.t;
+  for (int ink = 0; ink < 3; ++ink) {
+    if (inks.known[static_cast<std::size_t>(ink)]) continue;
+    std::array<std::vector<float>, 3> samples;
+    for (int c = 0; c < rod.cell_count(); ++c) {
+      Vec2d pixel;
+      if (rod.ink(c) != ink || !front_in_sight(image, intrinsics, rod, pose, eye, c, 0, pixel)) continue;
+      const Color chroma = chromaticity(image.sample(pixel.x(), pixel.y()));
+      for (std::size_t i = 0; i < 3; ++i) samples[i].push_back(chroma[static_cast<int>(i)]);
+    }
+    if (samples[0].size() < 2) continue;
+    Color median;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto middle = samples[i].begin() + static_cast<std::ptrdiff_t>(samples[i].size() / 2);
+      std::nth_element(samples[i].begin(), middle, samples[i].end());
+      median[static_cast<int>(i)] = *middle;
+    }
+    inks.set(ink, median);
+  }
+}
+
+}  // namespace onestroke

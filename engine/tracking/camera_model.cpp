@@ -1,0 +1,87 @@
+#include "tracking/camera_model.h"
+
+#include <Eigen/LU>
+
+namespace onestroke {
+
+EigenPose to_eigen(const Pose& p) {
+  const Mat3 m = to_matrix(p.rotation);
+  EigenPose e;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) e.R(r, c) = m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
+  e.t = to_eigen(p.translation);
+  return e;
+}
+
+Pose from_eigen(const EigenPose& p) {
+  Mat3 m;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = p.R(r, c);
+  return {to_quat(m), {p.t.x(), p.t.y(), p.t.z()}};
+}
+
+EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta) {
+  const Mat3 m = to_matrix(exp_so3({delta[0], delta[1], delta[2]}));
+  Mat3d w;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) w(r, c) = m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
+  return {w * p.R, p.t + delta.tail<3>()};
+}
+
+namespace {
+
+// OpenCV's radial (k1 k2 k3) and tangential (p1 p2) model, with its 2 x 2 derivative.
+Vec2d distort(const std::array<double, 5>& d, const Vec2d& n, Eigen::Matrix2d* jacobian) {
+  const double x = n.x(), y = n.y(), r2 = x * x + y * y;
+  const double k1 = d[0], k2 = d[1], p1 = d[2], p2 = d[3], k3 = d[4];
+  const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+  if (jacobian) {
+    const double dr = k1 + r2 * (2 * k2 + r2 * 3 * k3);
+    (*jacobian)(0, 0) = radial + 2 * x * x * dr + 2 * p1 * y + 6 * p2 * x;
+    (*jacobian)(0, 1) = 2 * x * y * dr + 2 * p1 * x + 2 * p2 * y;
+    (*jacobian)(1, 0) = 2 * x * y * dr + 2 * p1 * x + 2 * p2 * y;
+    (*jacobian)(1, 1) = radial + 2 * y * y * dr + 6 * p1 * y + 2 * p2 * x;
+  }
+  return {x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x), y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
+}
+
+}  // namespace
+
+bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel) {
+  if (p.z() < 1.0) return false;
+  Vec2d n(p.x() / p.z(), p.y() / p.z());
+  if (k.distorted()) n = distort(k.distortion, n, nullptr);
+  pixel = {k.fx * n.x() + k.cx, k.fy * n.y() + k.cy};
+  return true;
+}
+
+bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel, Eigen::Matrix<double, 2, 3>& d_pixel_d_point) {
+  if (p.z() < 1.0) return false;
+  const double iz = 1 / p.z();
+  Vec2d n(p.x() * iz, p.y() * iz);
+  d_pixel_d_point << iz, 0, -n.x() * iz, 0, iz, -n.y() * iz;
+  if (k.distorted()) {
+    Eigen::Matrix2d jacobian;
+    n = distort(k.distortion, n, &jacobian);
+    d_pixel_d_point = jacobian * d_pixel_d_point;
+  }
+  d_pixel_d_point.row(0) *= k.fx;
+  d_pixel_d_point.row(1) *= k.fy;
+  pixel = {k.fx * n.x() + k.cx, k.fy * n.y() + k.cy};
+  return true;
+}
+
+Vec2d unproject(const Intrinsics& k, const Vec2d& pixel) {
+  const Vec2d target((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy);
+  if (!k.distorted()) return target;
+  Vec2d n = target;
+  for (int i = 0; i < 10; ++i) {
+    Eigen::Matrix2d jacobian;
+    const Vec2d error = distort(k.distortion, n, &jacobian) - target;
+    if (error.squaredNorm() < 1e-18) break;
+    n -= jacobian.inverse() * error;
+  }
+  return n;
+}
+
+}  // namespace onestroke

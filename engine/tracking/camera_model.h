@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/picture.h"
+
+#include <Eigen/Core>
+
+namespace onestroke {
+
+using Vec2d = Eigen::Vector2d;
+using Vec3d = Eigen::Vector3d;
+using Mat3d = Eigen::Matrix3d;
+
+/// T_camera_marker as the solvers hold it.
+struct EigenPose {
+  Mat3d R = Mat3d::Identity();
+  Vec3d t = Vec3d::Zero();
+
+  Vec3d operator*(const Vec3d& p) const { return R * p + t; }
+};
+
+EigenPose to_eigen(const Pose& p);
+Pose from_eigen(const EigenPose& p);
+inline Vec3d to_eigen(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+/// p moved by the left perturbation (rotation vector rad, translation mm): R = exp(w) R, t = exp(w) t + v would swing
+/// the translation about the camera; here R = exp(w) R and t = t + v, so the covariance reads in the marker's own
+/// place.
+EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta);
+
+/// Pixel (centres at half-integers) of a point in camera axes; false behind the camera.
+bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel);
+
+/// As project, with the 2 x 3 derivative of the pixel by the point.
+bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel, Eigen::Matrix<double, 2, 3>& d_pixel_d_point);
+
+/// Undistorted ray (x/z, y/z) of a pixel.
+Vec2d unproject(const Intrinsics& k, const Vec2d& pixel);
+
+}  // namespace onestroke

@@ -1,0 +1,93 @@
+#include "tracking/initial_pose.h"
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/eigen.hpp>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace onestroke {
+namespace {
+
+// Gravity centre of the half ring that faces the eye: 2/pi of the radius would be its mean over the angle, pi/4 is its
+// mean over the projected width.
+Vec3d seen_centre(const RodModel& rod, int cell, const Vec3d& eye) {
+  const RodModel::Section& m = rod.middle(cell);
+  return m.centre + 0.785 * (rod.surface(m, eye, 0) - m.centre);
+}
+
+}  // namespace
+
+bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, PoseGuess& guess) {
+  using Vector6d = Eigen::Matrix<double, 6, 1>;
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  for (int i = 0; i < 10; ++i) {
+    Matrix6d hessian = Matrix6d::Zero();
+    Vector6d gradient = Vector6d::Zero();
+    double square = 0;
+    const Vec3d eye = -guess.pose.R.transpose() * guess.pose.t;
+    for (const CellPoint& p : points) {
+      const Vec3d x = guess.pose * seen_centre(rod, p.cell, eye);
+      Vec2d pixel;
+      Eigen::Matrix<double, 2, 3> by_point;
+      if (!project(k, x, pixel, by_point)) return false;
+      const Vec2d error = p.pixel - pixel;
+      // Huber's weight at 3 pixels: a merged cell must not bend the pose.
+      const double w = 1 / std::max(1.0, error.norm() / 3);
+      const Vec3d arm = x - guess.pose.t;
+      for (int row = 0; row < 2; ++row) {
+        const Vec3d g = by_point.row(row).transpose();
+        Vector6d j;
+        j << arm.cross(g), g;
+        hessian += w * j * j.transpose();
+        gradient += w * j * error[row];
+      }
+      square += error.squaredNorm();
+    }
+    guess.rms = std::sqrt(square / static_cast<double>(points.size()));
+    hessian.diagonal() *= 1 + 1e-6;
+    Vector6d delta = hessian.ldlt().solve(gradient);
+    if (!delta.allFinite()) return false;
+    const double turn = delta.head<3>().norm(), shift = delta.tail<3>().norm() / guess.pose.t.norm();
+    delta *= std::min({1.0, 0.3 / std::max(turn, 1e-12), 0.2 / std::max(shift, 1e-12)});
+    guess.pose = perturbed(guess.pose, delta);
+    if (guess.pose.t.z() < 10) return false;
+    if (turn < 1e-4 && shift < 1e-4) break;
+  }
+  return true;
+}
+
+std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod,
+                                        const std::vector<CellPoint>& points) {
+  std::vector<PoseGuess> guesses;
+  if (points.size() < 4) return guesses;
+  std::vector<cv::Point3d> object;
+  std::vector<cv::Point2d> seen;
+  for (const CellPoint& p : points) {
+    const Vec3d c = rod.middle(p.cell).centre;
+    const Vec2d n = unproject(k, p.pixel);
+    object.emplace_back(c.x(), c.y(), c.z());
+    seen.emplace_back(n.x(), n.y());
+  }
+  std::vector<cv::Mat> rvecs, tvecs;
+  try {
+    cv::solvePnPGeneric(object, seen, cv::Mat::eye(3, 3, CV_64F), cv::noArray(), rvecs, tvecs, false,
+                        cv::SOLVEPNP_IPPE);
+  } catch (const cv::Exception&) {
+    return guesses;
+  }
+  for (std::size_t i = 0; i < rvecs.size(); ++i) {
+    cv::Mat rotation;
+    cv::Rodrigues(rvecs[i], rotation);
+    PoseGuess g;
+    cv::cv2eigen(rotation, g.pose.R);
+    cv::cv2eigen(tvecs[i], g.pose.t);
+    if (!g.pose.R.allFinite() || !g.pose.t.allFinite() || g.pose.t.z() < 10) continue;
+    if (fit_cells(k, rod, points, g)) guesses.push_back(g);
+  }
+  std::sort(guesses.begin(), guesses.end(), [](const PoseGuess& a, const PoseGuess& b) { return a.rms < b.rms; });
+  return guesses;
+}
+
+}  // namespace onestroke

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "tracking/rod_model.h"
+
+#include <vector>
+
+namespace onestroke {
+
+/// A cell of the rod and the gravity centre of what is seen of it, pixels.
+struct CellPoint {
+  int cell;
+  Vec2d pixel;
+};
+
+struct PoseGuess {
+  EigenPose pose;
+  double rms = 0;  ///< Reprojection, pixels.
+};
+
+/// Poses from cells on both arms: OpenCV's planar solver (IPPE) gives both tilts that a plane seen in perspective
+/// allows; each is then fitted to the front surface of the rings, whose gravity centres lie off the centreline. Best
+/// first; empty where the points do not determine a pose.
+std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points);
+
+/// Least squares over gravity centres from a start. False where it diverges.
+bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, PoseGuess& guess);
+
+}  // namespace onestroke

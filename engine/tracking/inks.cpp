@@ -1,0 +1,56 @@
+#include "tracking/inks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onestroke {
+
+Inks::Match Inks::match(const Color& color, int expected) const {
+  // Below this sum the chromaticity is noise.
+  if (color.sum() < 12) return Match::unknown;
+  const Color c = chromaticity(color);
+  int nearest = -1;
+  float best = 1e9F, expected_distance = 1e9F;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!known[k]) continue;
+    const float d = (c - chroma[k]).matrix().norm();
+    if (i == expected) expected_distance = d;
+    if (d < best) {
+      best = d;
+      nearest = i;
+    }
+  }
+  if (nearest < 0) return Match::unknown;
+  // Blur and veiling light pull a cell towards its neighbours and towards grey, hence the wider reach for the expected
+  // ink.
+  if (nearest == expected && expected_distance < 0.6F * separation) return Match::agrees;
+  if (nearest != expected && best < 0.4F * separation) return Match::contradicts;
+  return Match::unknown;
+}
+
+void InkSamples::add(int ink, const Color& color) {
+  sum_[static_cast<std::size_t>(ink)] += chromaticity(color);
+  ++count_[static_cast<std::size_t>(ink)];
+}
+
+void Inks::set(int ink, const Color& value) {
+  chroma[static_cast<std::size_t>(ink)] = value;
+  known[static_cast<std::size_t>(ink)] = true;
+  separation = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!known[i] || !known[j]) continue;
+      const float d = (chroma[i] - chroma[j]).matrix().norm();
+      separation = separation > 0 ? std::min(separation, d) : d;
+    }
+}
+
+Inks InkSamples::mean() const {
+  Inks inks;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (count_[i] > 0) inks.set(static_cast<int>(i), sum_[i] / static_cast<float>(count_[i]));
+  return inks;
+}
+
+}  // namespace onestroke

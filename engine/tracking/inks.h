@@ -1,0 +1,35 @@
+#pragma once
+
+#include "tracking/image_view.h"
+
+#include <array>
+
+namespace onestroke {
+
+/// How the three inks look in this light: their chromaticities, learnt from the cells themselves, so no white balance
+/// is needed.
+struct Inks {
+  std::array<Color, 3> chroma{};
+  std::array<bool, 3> known{};
+  float separation = 0;  ///< Smallest distance between two known inks.
+
+  void set(int ink, const Color& chromaticity);
+
+  enum class Match { agrees, contradicts, unknown };
+  /// Whether a colour is the expected ink, another ink, or none of them (skin, a highlight, background).
+  Match match(const Color& color, int expected) const;
+};
+
+/// Collects samples and averages them.
+class InkSamples {
+ public:
+  void add(int ink, const Color& color);
+  /// Needs two inks at least to be of use; separation is 0 otherwise.
+  Inks mean() const;
+
+ private:
+  std::array<Color, 3> sum_{Color::Zero(), Color::Zero(), Color::Zero()};
+  std::array<int, 3> count_{};
+};
+
+}  // namespace onestroke

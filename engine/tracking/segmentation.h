@@ -1,0 +1,31 @@
+#pragma once
+
+#include "tracking/image_view.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace onestroke {
+
+/// Label of a pixel that is no ink.
+inline constexpr std::uint8_t no_ink = 3;
+
+struct SegmentationOptions {
+  /// Gain of the blue channel against red and green before channels are compared: under 3000 K an uncorrected camera
+  /// sees blue ink with less blue than red in it, under 6500 K green ink with as much blue as green; no one gain serves
+  /// both.
+  float blue_gain = 1.0F;
+  /// The largest channel must lead the second by this share of itself, and by this many levels.
+  float relative_margin = 0.12F;
+  float absolute_margin = 7.0F;
+};
+
+/// Which ink each pixel shows: the largest channel (0 red, 1 green, 2 blue), or no_ink. Comparing channels of one pixel
+/// leaves shading out. labels is resized to width * height.
+void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels);
+
+/// 3 x 3 binomial smoothing of packed RGB, against sensor noise and JPEG's blocks. out has stride 3 * width.
+void smooth(const ImageView& image, std::vector<std::uint8_t>& out);
+
+}  // namespace onestroke
