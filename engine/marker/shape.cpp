@@ -14,6 +14,7 @@ namespace {
 
 constexpr double length_tolerance = 0.01;  // mm; what rounded vertices may be off by
 constexpr double most_slender = 100;       // pitch over radius
+constexpr double longest_pitch = 1000;     // mm
 
 template <typename... Parts>
 [[noreturn]] void fail(const Parts&... parts) {
@@ -24,7 +25,8 @@ template <typename... Parts>
 
 void check_rod(int cells, double pitch, double radius, double bend_radius) {
   if (cells < 3 || cells > max_cells) fail("a rod has 3 to ", max_cells, " cells, not ", cells);
-  if (!(std::isfinite(pitch) && pitch > 0)) fail("the pitch must be a positive number of millimetres, not ", pitch);
+  if (!(pitch > 0 && pitch <= longest_pitch))
+    fail("the pitch must be a positive number of millimetres up to ", longest_pitch, ", not ", pitch);
   if (!(std::isfinite(radius) && radius > 0)) fail("the radius must be a positive number of millimetres, not ", radius);
   if (radius * most_slender < pitch)
     fail("the radius must be at least a hundredth of the pitch of ", pitch, " mm, not ", radius);

@@ -1,0 +1,201 @@
+#include "core/error.h"
+#include "marker/catalog.h"
+#include "marker/catalog_rules.h"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <set>
+#include <string_view>
+
+namespace onestroke {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+/// The JSON library keeps the last of two equal keys; here the second is an error.
+class DuplicateKeys {
+ public:
+  bool operator()(int, json::parse_event_t event, json& parsed) {
+    if (event == json::parse_event_t::object_start) open_.emplace_back();
+    if (event == json::parse_event_t::object_end) open_.pop_back();
+    if (event == json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
+      throw Error("key \"" + parsed.get<std::string>() + "\" is given twice in one object");
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> open_;
+};
+
+json parse(const std::string& text) {
+  try {
+    return json::parse(text, DuplicateKeys{});
+  } catch (const json::exception& error) {
+    // The library's message without its own error number, e.g. "at line 3, column 7: ...".
+    std::string what = error.what();
+    what.erase(0, std::min(what.size(), what.find("] ") + 2));
+    throw Error("not valid JSON: " + what);
+  }
+}
+
+/// One JSON object, every key of which must be asked for.
+class Object {
+ public:
+  Object(const json& value, const std::string& what) : value_(value) {
+    if (!value.is_object()) throw Error(what + " must be an object, not " + value.type_name());
+  }
+
+  const json* optional(const std::string& key) {
+    known_.insert(key);
+    const auto found = value_.find(key);
+    return found == value_.end() ? nullptr : &*found;
+  }
+  const json& required(const std::string& key) {
+    const json* found = optional(key);
+    if (found == nullptr) throw Error("key \"" + key + "\" is missing");
+    return *found;
+  }
+  void refuse_unknown() const {
+    for (const auto& [key, value] : value_.items())
+      if (!known_.contains(key)) throw Error("key \"" + key + "\" is unknown");
+  }
+
+  std::string text(const std::string& key) { return text(key, required(key)); }
+  double number(const std::string& key) { return number(key, required(key)); }
+  int integer(const std::string& key) {
+    const json& value = required(key);
+    if (!value.is_number_integer()) throw Error("\"" + key + "\" must be a whole number");
+    const bool fits = value.is_number_unsigned()
+                          ? value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<int>::max()}
+                          : value.get<std::int64_t>() >= std::numeric_limits<int>::min();
+    if (!fits) throw Error("\"" + key + "\" is out of range: " + value.dump());
+    return value.get<int>();
+  }
+
+  static std::string text(const std::string& key, const json& value) {
+    if (!value.is_string()) throw Error("\"" + key + "\" must be a text, not " + value.type_name());
+    return value.get<std::string>();
+  }
+  static double number(const std::string& key, const json& value) {
+    if (!value.is_number()) throw Error("\"" + key + "\" must be a number, not " + value.type_name());
+    return value.get<double>();
+  }
+
+ private:
+  const json& value_;
+  std::set<std::string> known_;
+};
+
+Vec3 vertex_from(const json& value) {
+  if (!value.is_array() || value.size() != 3) throw Error("each of \"vertices\" must be [x, y, z] in millimetres");
+  const std::string what = "vertices";
+  return {Object::number(what, value[0]), Object::number(what, value[1]), Object::number(what, value[2])};
+}
+
+Shape shape_from(const json& value) {
+  Object object(value, "\"shape\"");
+  const std::string kind = object.text("kind");
+  if (kind != "angle" && kind != "stroke" && kind != "line")
+    throw Error("\"kind\" is \"" + kind + "\"; it must be \"angle\", \"stroke\" or \"line\"");
+  const int cells = object.integer("cells");
+  const double pitch = object.number("pitch"), radius = object.number("radius");
+  const double bend = kind == "line" ? 0 : object.number("bend_radius");
+  std::vector<Vec3> vertices;
+  if (kind == "stroke") {
+    const json& list = object.required("vertices");
+    if (!list.is_array()) throw Error("\"vertices\" must be a list of [x, y, z]");
+    for (const json& vertex : list) vertices.push_back(vertex_from(vertex));
+  }
+  object.refuse_unknown();
+  if (kind == "stroke") return Shape::stroke(cells, pitch, radius, bend, std::move(vertices));
+  return kind == "angle" ? Shape::angle(cells, pitch, radius, bend) : Shape::line(cells, pitch, radius);
+}
+
+Cells code_from(const json* cells, const json* value, int count) {
+  if ((cells != nullptr) == (value != nullptr)) throw Error("give either \"cells\" or \"value\"");
+  if (cells != nullptr) return cells_from_letters(Object::text("cells", *cells));
+  if (!value->is_number_unsigned()) throw Error("\"value\" must be a whole number, 0 or more");
+  return encode(value->get<std::uint64_t>(), count);
+}
+
+MarkerSpec marker_from(const json& value) {
+  Object object(value, "an entry of \"markers\"");
+  const int id = object.integer("id");
+  std::string name = object.text("name");
+  Shape shape = shape_from(object.required("shape"));
+  Cells cells = code_from(object.optional("cells"), object.optional("value"), shape.cells());
+  const json* model = object.optional("model");
+  object.refuse_unknown();
+  MarkerSpec marker{id, std::move(name), std::move(cells), std::move(shape),
+                    model != nullptr ? Object::text("model", *model) : ""};
+  check_marker(marker);
+  return marker;
+}
+
+/// An entry's name for messages, where it has one that can be read.
+std::string name_in(const json& entry) {
+  if (!entry.is_object()) return {};
+  const auto name = entry.find("name");
+  return name != entry.end() && name->is_string() ? name->get<std::string>() : "";
+}
+
+Catalog catalog_from(const json& document) {
+  Object object(document, "the catalogue");
+  const json& entries = object.required("markers");
+  object.refuse_unknown();
+  if (!entries.is_array()) throw Error("\"markers\" must be a list");
+  Catalog catalog;
+  Uniqueness unique;
+  for (const json& entry : entries) {
+    const std::string label = entry_label(static_cast<long long>(catalog.markers.size()) + 1, name_in(entry));
+    try {
+      catalog.markers.push_back(marker_from(entry));
+      unique.add(catalog.markers.back(), label);
+    } catch (const Error& error) {
+      throw Error(label + ": " + error.what());
+    }
+  }
+  sort_by_id(catalog);
+  return catalog;
+}
+
+ordered_json to_json_value(const Shape& shape) {
+  constexpr std::string_view kinds[] = {"angle", "stroke", "line"};
+  ordered_json value{{"kind", kinds[static_cast<int>(shape.kind())]},
+                     {"cells", shape.cells()},
+                     {"pitch", shape.pitch()},
+                     {"radius", shape.radius()}};
+  if (shape.kind() != Shape::Kind::line) value["bend_radius"] = shape.bend_radius();
+  if (shape.kind() == Shape::Kind::stroke)
+    for (const Vec3& v : shape.vertices()) value["vertices"].push_back({v.x, v.y, v.z});
+  return value;
+}
+
+}  // namespace
+
+Catalog catalog_from_json(const std::string& text, const std::string& origin) {
+  try {
+    return catalog_from(parse(text));
+  } catch (const Error& error) {
+    throw Error(origin + ": " + error.what());
+  }
+}
+
+std::string to_json(const Catalog& catalog) {
+  std::string text = "{\"markers\": [";
+  const char* separator = "\n";
+  for (const MarkerSpec& marker : catalog.markers) {
+    ordered_json value{{"id", marker.id},
+                       {"name", marker.name},
+                       {"cells", to_letters(marker.cells)},
+                       {"shape", to_json_value(marker.shape)}};
+    if (!marker.model.empty()) value["model"] = marker.model;
+    text += separator + value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    separator = ",\n";
+  }
+  return text + "\n]}\n";
+}
+
+}  // namespace onestroke

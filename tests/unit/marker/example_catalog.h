@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/error.h"
+#include "marker/catalog.h"
+
+#include <functional>
+#include <string>
+
+namespace onestroke::test {
+
+/// The message of the Error that act throws; "no error" where it throws none.
+inline std::string error_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+inline MarkerSpec marker(int id, const std::string& name, std::uint64_t value, Shape shape, std::string model = "") {
+  return {id, name, encode(value, shape.cells()), std::move(shape), std::move(model)};
+}
+
+/// One marker of every kind of shape, and numbers that do not print in few digits.
+inline Catalog example_catalog() {
+  return {{marker(1, "m01", 12345, Shape::angle(36, 4, 3, 0), "models/bracket a.glb"),
+           marker(2, "bent", 54321, Shape::angle(36, 4, 3, 8)),
+           marker(5, "Größe \"5\"", 7, Shape::line(12, 1.0 / 3, 0.1), "b.glb"),
+           marker(9, "stroke", 99, Shape::stroke(20, 4, 2, 0, {{0, 0, 0}, {0.1, 40, 0}, {0.1, 40, 39.999875}}))}};
+}
+
+inline bool same(const Catalog& a, const Catalog& b) {
+  return to_json(a) == to_json(b);
+}
+
+}  // namespace onestroke::test
