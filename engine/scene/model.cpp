@@ -1,0 +1,123 @@
+#include "scene/model.h"
+
+#include "core/error.h"
+#include "scene/gltf_geometry.h"
+#include "scene/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <set>
+
+namespace onestroke {
+
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+// tinygltf's length check of the last chunk leaves out its 8-byte header; this much beyond the end keeps it in bounds.
+constexpr std::size_t slack = 16;
+
+bool read_bytes(const std::filesystem::path& file, Bytes& bytes) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::ifstream in(file, std::ios::binary);
+  bytes.assign(std::istreambuf_iterator<char>(in), {});
+  return in.good() || in.eof();
+}
+
+std::string first_line(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \n");
+  if (begin == std::string::npos) return "it is damaged";
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+// Only files beside the model: tinygltf alone would also look in the working directory and expand shell variables.
+tinygltf::FsCallbacks files_under(const std::string& folder) {
+  tinygltf::FsCallbacks calls{};
+  calls.FileExists = [](const std::string& path, void* user) {
+    std::error_code ignored;
+    return path.starts_with(*static_cast<const std::string*>(user)) && std::filesystem::is_regular_file(path, ignored);
+  };
+  calls.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  calls.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void*) {
+    const bool read = read_bytes(path, *out);
+    if (!read && error) *error += "cannot be read";
+    return read;
+  };
+  calls.user_data = const_cast<std::string*>(&folder);
+  return calls;
+}
+
+tinygltf::Model parse(const std::filesystem::path& file, Bytes bytes) {
+  const std::string name = file.string();
+  const std::string folder = std::filesystem::absolute(file).parent_path().string();
+  const auto text = std::find_if_not(bytes.begin(), bytes.end(), [](unsigned char c) { return std::isspace(c) != 0; });
+  const bool binary = bytes.size() >= 4 && std::equal(bytes.begin(), bytes.begin() + 4, "glTF");
+  if (!binary && (text == bytes.end() || *text != '{'))
+    throw Error(name + ": not a glTF file; give a .glb or .gltf model");
+  if (bytes.size() > std::numeric_limits<unsigned>::max())
+    throw Error(name + ": larger than 4 GB; use a smaller model");
+  const auto size = static_cast<unsigned>(bytes.size());
+  bytes.resize(bytes.size() + slack, 0);
+
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(keep_encoded_image, nullptr);
+  loader.SetFsCallbacks(files_under(folder));
+  tinygltf::Model model;
+  std::string error, warning;
+  bool sound = false;
+  try {
+    sound = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, folder)
+                   : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes.data()),
+                                                size, folder);
+  } catch (const std::exception& e) {
+    error += e.what();
+  }
+  if (!sound) throw Error(name + ": not a whole glTF file (" + first_line(error) + "); export the model again");
+  return model;
+}
+
+void refuse_unknown_extensions(const tinygltf::Model& gltf, const std::string& name) {
+  static const std::set<std::string> known{"KHR_mesh_quantization", "KHR_materials_emissive_strength"};
+  for (const std::string& extension : gltf.extensionsRequired)
+    if (!known.contains(extension))
+      throw Error(name + ": needs the extension " + extension + "; export the model without it");
+}
+
+void find_bounds(const GltfReader& reader, Model& model) {
+  model.lower.fill(std::numeric_limits<float>::max());
+  model.upper.fill(std::numeric_limits<float>::lowest());
+  for (const std::uint32_t i : model.indices) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float x = model.vertices[i].position[k];
+      if (!std::isfinite(x)) reader.fail("it reaches to infinity");
+      model.lower[k] = std::min(model.lower[k], x);
+      model.upper[k] = std::max(model.upper[k], x);
+    }
+  }
+}
+
+}  // namespace
+
+Model load_model(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  Bytes bytes;
+  if (!read_bytes(file, bytes)) throw Error(name + ": no such model file; check the path");
+  const tinygltf::Model gltf = parse(file, std::move(bytes));
+  if (!gltf.asset.version.starts_with("2."))
+    throw Error(name + ": glTF version " + gltf.asset.version + "; export the model as glTF 2.0");
+  refuse_unknown_extensions(gltf, name);
+
+  Model model;
+  model.name = file.stem().string();
+  const GltfReader reader(gltf, name);
+  read_materials(reader, model);
+  read_geometry(reader, model);
+  if (model.indices.empty()) reader.fail("it has no triangles");
+  find_bounds(reader, model);
+  return model;
+}
+
+}  // namespace onestroke
