@@ -1,0 +1,205 @@
+#include "app/command_line.h"
+
+#include "app/completion.h"
+#include "app/help_format.h"
+#include "app/help_text.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace onestroke {
+namespace {
+
+constexpr double longest_readout_ms = 1000;
+
+/// A check whose failure is a message; it adds nothing to the option's name in the help.
+CLI::Validator check(std::function<std::string(const std::string&)> test) {
+  return CLI::Validator([test = std::move(test)](std::string& text) { return test(text); }, "");
+}
+
+CLI::Validator number_between(double low, double high, const std::string& unit) {
+  return check([=](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+    std::ostringstream message;
+    message << "\"" << text << "\" must be a number from " << low << " to " << high << unit;
+    return message.str();
+  });
+}
+
+CLI::Validator whole_number(int low, int high) {
+  return check([=](const std::string& text) -> std::string {
+    int value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+    return "\"" + text + "\" must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  });
+}
+
+/// `word`, or `word:` and more: needs[i] says whether more must, may or may not follow.
+enum class More { none, may, must };
+struct Form {
+  std::string word;
+  More more;
+};
+
+CLI::Validator one_of(std::vector<Form> forms, const std::string& spelled) {
+  return check([forms = std::move(forms), spelled](const std::string& text) -> std::string {
+    const std::size_t colon = text.find(':');
+    const bool more = colon != std::string::npos && colon + 1 < text.size();
+    for (const Form& form : forms) {
+      if (text.substr(0, colon) != form.word) continue;
+      if (more ? form.more != More::none : form.more != More::must && colon == std::string::npos) return {};
+    }
+    return "\"" + text + "\" must be " + spelled;
+  });
+}
+
+void add_camera(CLI::App& command, CameraOptions& options) {
+  const auto camera =
+      one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
+             "synthetic[:KEY=VALUE,...], libcamera[:ID], file:VIDEO or folder:DIR");
+  command.add_option("--camera", options.camera, help::camera)->type_name("SPEC")->check(camera)->capture_default_str();
+  auto* fov = command.add_option("--fov", options.fov_deg, help::fov)->type_name("DEG");
+  fov->check(number_between(1, 170, " degrees"));
+  command.add_option("--calibration", options.calibration, help::calibration)->type_name("FILE.yaml")->excludes(fov);
+  command.add_option("--readout-ms", options.readout_ms, help::readout)
+      ->type_name("MS")
+      ->check(number_between(0, longest_readout_ms, " milliseconds"));
+}
+
+void add_frames(CLI::App& command, std::optional<int>& frames) {
+  command.add_option("--frames", frames, help::frames)->type_name("N")->check(whole_number(1, 2'000'000'000));
+}
+
+void add_run(CLI::App& program, RunOptions& options) {
+  CLI::App& run = *program.add_subcommand("run", help::run);
+  run.footer(help::run_examples);
+  add_camera(run, options.source);
+  run.add_option("--display", options.display, help::display)
+      ->type_name("SPEC")
+      ->check(one_of({{"window", More::none}, {"openxr", More::none}, {"offscreen", More::must}},
+                     "window, openxr or offscreen:DIR"));
+  run.add_option("--catalog", options.catalog, help::run_catalog)->type_name("FILE");
+  const std::map<std::string, PictureTime> modes{{"exposure", PictureTime::exposure}, {"fresh", PictureTime::fresh}};
+  run.add_option_function<std::string>(
+         "--mode", [&options, modes](const std::string& m) { options.mode = modes.at(m); }, help::mode)
+      ->type_name("MODE")
+      ->check(one_of({{"exposure", More::none}, {"fresh", More::none}}, "exposure or fresh"));
+  add_frames(run, options.frames);
+  run.add_option("--seconds", options.seconds, help::seconds)
+      ->type_name("S")
+      ->check(number_between(1e-3, 1e6, " seconds"));
+}
+
+void add_track(CLI::App& program, TrackOptions& options) {
+  CLI::App& track = *program.add_subcommand("track", help::track);
+  track.footer(help::track_examples);
+  add_camera(track, options.source);
+  track.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE")->required();
+  track.add_option("--output", options.output, help::track_output)->type_name("FILE.jsonl");
+  track.add_option("--overlay", options.overlay, help::overlay)->type_name("DIR");
+  track.add_flag("--independent", options.independent, help::independent);
+  track.add_option("--threads", options.threads, help::threads)
+      ->type_name("N")
+      ->check(whole_number(1, 256))
+      ->capture_default_str();
+  add_frames(track, options.frames);
+}
+
+CLI::App& add_marker_action(CLI::App& marker, MarkerOptions& options, const std::string& name, const char* what,
+                            const char* catalog, MarkerOptions::Action action) {
+  CLI::App& command = *marker.add_subcommand(name, what);
+  command.add_option("--catalog", options.catalog, catalog)->type_name("FILE")->required();
+  command.callback([&options, action] { options.action = action; });
+  return command;
+}
+
+void add_marker(CLI::App& program, MarkerOptions& options) {
+  using Action = MarkerOptions::Action;
+  CLI::App& marker = *program.add_subcommand("marker", help::marker);
+  marker.footer(help::marker_examples);
+  marker.require_subcommand(0, 1);
+  CLI::App& import = add_marker_action(marker, options, "import", help::import, help::import_catalog, Action::import);
+  import.add_option("file", options.input, help::import_file)->type_name("FILE.json")->required();
+  import.add_flag("--replace", options.replace, help::replace);
+  CLI::App& write = add_marker_action(marker, options, "export", help::export_, help::catalog, Action::export_);
+  write.add_option("--output", options.output, help::export_output)->type_name("FILE.json");
+  add_marker_action(marker, options, "list", help::list, help::catalog, Action::list);
+  CLI::App& show = add_marker_action(marker, options, "show", help::show, help::catalog, Action::show);
+  show.add_option("marker", options.which, help::which)->type_name("ID|NAME")->required();
+}
+
+/// The program's options and where their values go.
+struct Program {
+  CLI::App app{help::program, "onestroke"};
+  RunOptions run;
+  TrackOptions track;
+  MarkerOptions marker;
+  std::string completion;
+
+  Program() {
+    app.formatter(std::make_shared<HelpFormat>());
+    app.footer(help::program_footer);
+    app.set_version_flag("--version", "onestroke " ONESTROKE_VERSION);
+    app.add_option("--completion", completion, help::completion)
+        ->type_name("bash")
+        ->check(one_of({{"bash", More::none}}, "bash"));
+    app.require_subcommand(0, 1);
+    add_run(app, run);
+    add_track(app, track);
+    add_marker(app, marker);
+  }
+
+  /// `onestroke track`, as far as the commands were understood.
+  std::string command_path() const {
+    std::string path = app.get_name();
+    for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+      at = at->get_subcommands().back();
+      path += " " + at->get_name();
+    }
+    return path;
+  }
+};
+
+[[noreturn]] void refuse(const Program& program, std::string what) {
+  std::ranges::replace(what, '\n', ' ');
+  throw UsageError(what + "; see `" + program.command_path() + " --help`");
+}
+
+void check_lens_known(const Program& program, const CameraOptions& options) {
+  if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
+  refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
+}
+
+}  // namespace
+
+Command parse_command_line(std::vector<std::string> arguments) {
+  Program program;
+  std::ranges::reverse(arguments);  // as CLI11 wants them
+  try {
+    program.app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    return PrintText{program.app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return PrintText{std::string(version.what()) + "\n"};
+  } catch (const CLI::ParseError& error) {
+    refuse(program, error.what());
+  }
+  if (!program.completion.empty()) return PrintText{bash_completion(program.app)};
+  if (program.app.got_subcommand("marker")) {
+    if (program.app.get_subcommand("marker")->get_subcommands().empty())
+      refuse(program, "what to do with the markers is missing: import, export, list or show");
+    return program.marker;
+  }
+  if (program.app.got_subcommand("track")) {
+    check_lens_known(program, program.track.source);
+    return program.track;
+  }
+  if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");
+  check_lens_known(program, program.run.source);
+  return program.run;
+}
+
+}  // namespace onestroke

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace onestroke {
+
+/// Where pictures come from and what is known of the lens; the camera factory reads `camera` further.
+struct CameraOptions {
+  std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], libcamera[:ID], file:VIDEO or folder:DIR
+  std::optional<double> fov_deg;      ///< Horizontal, degrees; never together with a calibration.
+  std::filesystem::path calibration;  ///< OpenCV YAML; empty for none.
+  std::optional<double> readout_ms;   ///< First row to last; unset where the camera says it or has a global shutter.
+};
+
+enum class PictureTime { exposure, fresh };
+
+struct RunOptions {
+  CameraOptions source;
+  std::string
+      display;  ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
+  std::filesystem::path catalog;  ///< Empty for the demo's own.
+  PictureTime mode = PictureTime::exposure;
+  std::optional<int> frames;      ///< Stop after so many pictures.
+  std::optional<double> seconds;  ///< Stop after so long.
+};
+
+struct TrackOptions {
+  CameraOptions source;
+  std::filesystem::path catalog;
+  std::filesystem::path output;   ///< JSON lines; empty for standard output.
+  std::filesystem::path overlay;  ///< Folder for pictures with the poses drawn in; empty for none.
+  bool independent = false;       ///< Each picture alone, no memory.
+  int threads = 1;
+  std::optional<int> frames;
+};
+
+struct MarkerOptions {
+  enum class Action { import, export_, list, show };
+  Action action = Action::list;
+  std::filesystem::path catalog;  ///< The SQLite store; list and show also take the exchange JSON.
+  std::filesystem::path input;    ///< import: the JSON to read.
+  std::filesystem::path output;   ///< export: the JSON to write; empty for standard output.
+  std::string which;              ///< show: an id or a name.
+  bool replace = false;           ///< import: new entries take the place of old ones with the same id.
+};
+
+/// --help, --version, --completion: what to print before leaving.
+struct PrintText {
+  std::string text;
+};
+
+using Command = std::variant<RunOptions, TrackOptions, MarkerOptions, PrintText>;
+
+/// Reads the arguments after the program's name. Throws UsageError, one line with the remedy, where they are wrong.
+/// Looks at no file.
+Command parse_command_line(std::vector<std::string> arguments);
+
+}  // namespace onestroke

@@ -1,0 +1,91 @@
+#pragma once
+
+/// What --help teaches. Kept apart from the parsing so that either can be read as a whole.
+namespace onestroke::help {
+
+inline constexpr const char* program =
+    "onestroke finds sticks of coloured rings in camera pictures and draws over each the 3D model it carries.";
+
+inline constexpr const char* program_footer = R"~(Examples:
+  onestroke run                                   the demo: a made-up camera, and a window if there is a display
+  onestroke run --camera libcamera --fov 62 --display openxr --catalog markers.db
+  onestroke track --camera folder:pictures --fov 35 --catalog markers.db --output poses.jsonl
+  onestroke marker import markers.json --catalog markers.db
+  onestroke track --help                          more about one command
+
+Units: lengths in millimetres, angles in degrees here and in radians in files, times in milliseconds.
+Exit codes: 0 done, 1 failed, 2 wrong usage.
+Completion: eval "$(onestroke --completion bash)")~";
+
+inline constexpr const char* completion = "Print a script that completes commands and options in this shell";
+
+inline constexpr const char* camera =
+    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), libcamera[:ID] (a camera), file:VIDEO, folder:DIR";
+inline constexpr const char* fov =
+    "Horizontal field of view in degrees, 1 to 170: an ideal lens with square pixels, centred. Needed where there is "
+    "no "
+    "calibration, except by the synthetic camera, which knows its own";
+inline constexpr const char* calibration =
+    "Calibration of the lens, with distortion, as OpenCV writes it; instead of --fov";
+inline constexpr const char* readout =
+    "Rolling shutter: milliseconds from the first row's readout to the last row's, top first; 0 for a global shutter. "
+    "Default: what the camera says, otherwise 0";
+inline constexpr const char* frames = "Stop after N pictures. Default: at the end of the recording, or never";
+inline constexpr const char* catalog =
+    "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON";
+
+inline constexpr const char* run = "Follow the markers and show their models over the camera's picture";
+inline constexpr const char* display =
+    "Where to show it: window, openxr (a headset) or offscreen:DIR (numbered pictures). Default: a window where there "
+    "is a "
+    "display, otherwise off-screen";
+inline constexpr const char* run_catalog =
+    "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON. Default: the demo's own";
+inline constexpr const char* mode =
+    "exposure: the picture stands where the head was when it was taken, so models and picture never slide on each "
+    "other; "
+    "fresh: the newest picture, models predicted to it. Default: exposure";
+inline constexpr const char* seconds = "Stop after S seconds. Default: never";
+inline constexpr const char* run_examples = R"(Examples:
+  onestroke run
+  onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
+  onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window)";
+
+inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
+inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";
+inline constexpr const char* overlay = "Also write every picture to this folder with what was found drawn into it";
+inline constexpr const char* independent =
+    "Treat each picture alone, with no memory of the one before: for sets of unrelated pictures";
+inline constexpr const char* threads = "Threads that the tracker uses for one picture, 1 to 256";
+inline constexpr const char* track_examples = R"(Examples:
+  onestroke track --camera folder:booth --fov 35 --catalog markers.db --independent --output booth.jsonl
+  onestroke track --camera file:turntable.mkv --fov 35 --readout-ms 50 --catalog markers.json --overlay drawn
+
+Each line: {"image", "time_ns", "ms", "markers": [{"id", "name", "R", "rvec", "t", "covariance", "cells_seen", "state",
+"cell_centres"}]}. A pose maps marker to camera: p_camera = R p_marker + t; t in millimetres, rvec in radians; camera axes
+x right, y down, z forward; pixel centres at half-integers.)";
+
+inline constexpr const char* marker = "Keep the catalogue of markers";
+inline constexpr const char* import =
+    "Add the markers of a JSON file to a catalogue: all of them or, at any error, none";
+inline constexpr const char* import_file = "The markers in exchange form";
+inline constexpr const char* import_catalog = "The catalogue to add to, an SQLite database; made where it is missing";
+inline constexpr const char* replace = "Markers whose id is in the catalogue already take the place of the old";
+inline constexpr const char* export_ = "Write a catalogue in exchange form";
+inline constexpr const char* export_output = "The file to write; replaces it. Default: standard output";
+inline constexpr const char* list = "One line a marker";
+inline constexpr const char* show =
+    "Everything about one marker: code, geometry, and a picture of its cells in letters";
+inline constexpr const char* which = "Its id or its name";
+inline constexpr const char* marker_examples = R"(Examples:
+  onestroke marker import markers.json --catalog markers.db
+  onestroke marker list --catalog markers.db
+  onestroke marker show m03 --catalog markers.db
+  onestroke marker export --catalog markers.db --output markers.json
+
+Exchange form, lengths in millimetres:
+  {"markers": [{"id": 1, "name": "m01", "cells": "RGBRGB...", "model": "bracket.glb",
+    "shape": {"kind": "angle", "cells": 36, "pitch": 4.0, "radius": 3.0, "bend_radius": 0.0}}]}
+"value": NUMBER may stand for "cells". Other shapes: "line" (no bend_radius), and "stroke" with "vertices": [[x,y,z], ...].)";
+
+}  // namespace onestroke::help
