@@ -38,13 +38,13 @@ Vec3 normal(double length, double radius, Vec3 point) {
   const double joint = 2.4 * radius, knuckle = 5.2 * radius;
   const double dip = 0.35 * ((point.y - joint) / 1.2 * crease(point.y, joint, 1.2) +
                              (point.y - knuckle) / 1.5 * crease(point.y, knuckle, 1.5));
-  const double uneven = 0.05 * std::sin(2.1 * point.y + 1.3 * point.x) + 0.04 * std::sin(3.7 * point.x - 1.1 * point.y);
+  const double uneven = 0.025 * std::sin(1.9 * point.y + 2.2 * std::sin(0.8 * point.x) + 0.9 * point.z);
   return normalized(n + Vec3{0, uneven - dip, 0});
 }
 
-Material material(double radius, Vec3 point) {
+Material material(double radius, bool has_nail, Vec3 point) {
   const double x = point.x / (0.62 * radius), y = (point.y + 0.15 * radius) / (0.85 * radius);
-  const double nail = point.z < 0 ? x * x + y * y : 2;
+  const double nail = has_nail && point.z < 0 ? x * x + y * y : 2;
   if (nail < 1) {
     const float tip = static_cast<float>(std::clamp((-point.y / radius - 0.62) * 8, 0.0, 1.0));
     const Linear plate = mix({0.66f, 0.38f, 0.31f}, {0.72f, 0.62f, 0.54f}, tip);

@@ -9,8 +9,8 @@ namespace onestroke::finger {
 double cast(double length, double radius, Vec3 eye, Vec3 direction);
 /// Outward unit normal at a surface point.
 Vec3 normal(double length, double radius, Vec3 point);
-/// Skin, creases and the nail at a surface point.
-Material material(double radius, Vec3 point);
+/// Skin, creases and, where there is one, the nail at a surface point.
+Material material(double radius, bool nail, Vec3 point);
 /// How far a point lies outside the surface; negative inside.
 double gap(double length, double radius, Vec3 point);
 

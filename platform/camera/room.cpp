@@ -48,7 +48,7 @@ Room::Room(double focal_px, std::uint64_t seed)
 
 /// The camera is focused on the hands: what lies behind them blurs, the farther the more.
 void Room::soften(const std::vector<float>& light, double focal_px) {
-  constexpr double hands = 450, aperture = 1.6;  // mm
+  constexpr double hands = 450, aperture = 2.6;  // mm
   constexpr float far = 2400;
   const double most = focal_px * aperture * (1 / hands - 1 / static_cast<double>(far));
   Softening soft;

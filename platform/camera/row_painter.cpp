@@ -205,7 +205,7 @@ Linear RowPainter::finger_light(const Nearest& nearest, Vec3 direction) const {
   const Placed& at = fingers_[nearest.thing->owner];
   const Vec3 local = apply(at.R_local_camera, direction);
   const Vec3 point = at.eye + nearest.t * local;
-  return shade(finger::material(f.radius, point), at.light, finger::normal(f.length, f.radius, point),
+  return shade(finger::material(f.radius, f.nail, point), at.light, finger::normal(f.length, f.radius, point),
                -normalized(local), openness(nearest.t * direction, nearest.thing));
 }
 

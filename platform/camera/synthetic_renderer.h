@@ -25,6 +25,7 @@ struct SyntheticFinger {
   PosePath T_camera_finger;
   double length = 60;
   double radius = 8;
+  bool nail = true;  ///< False for a palm.
 };
 
 /// What the camera does to the light. Everything but the pixels' averaging is off by default.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "camera/rod.h"
+#include "camera/synthetic_options.h"
+#include "camera/synthetic_renderer.h"
+
+#include <span>
+#include <vector>
+
+namespace onestroke {
+
+/// Who is where at any time: the head, the sticks, the fingers. World axes: the head's camera at rest. Times in seconds
+/// from 0; poses are smooth in time. Constant; any thread.
+class HandScript {
+ public:
+  static constexpr double period = 24;  ///< Seconds, of the script of two hands.
+  static constexpr std::size_t capsules_per_hand = 3;
+
+  /// Two rods for the script of two hands, one for the others; they must outlive the script.
+  HandScript(const SyntheticOptions& options, std::vector<const Rod*> rods);
+
+  std::size_t hands() const { return rods_.size(); }
+  const Rod& rod(std::size_t hand) const { return *rods_[hand]; }
+  Pose T_world_camera(double t) const;
+  Pose T_world_marker(std::size_t hand, double t) const;
+  /// The capsules of a hand: thumb, forefinger, palm, as far as the options ask for fingers.
+  std::size_t capsules() const { return fingers_ == 0 ? 0 : static_cast<std::size_t>(fingers_) + 1; }
+  Pose T_world_capsule(std::size_t hand, std::size_t capsule, double t) const;
+  /// Its size; the pose is left alone.
+  void size_capsule(std::size_t capsule, SyntheticFinger& finger) const;
+
+ private:
+  Pose held(std::size_t hand, double t) const;
+  Pose turned(double t) const;
+
+  ScriptKind kind_;
+  double distance_, rate_;
+  int fingers_;
+  bool head_moves_;
+  std::vector<const Rod*> rods_;
+  std::vector<Vec3> centres_;
+};
+
+}  // namespace onestroke

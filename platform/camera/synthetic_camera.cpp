@@ -1,0 +1,203 @@
+#include "camera/synthetic_camera.h"
+
+#include "camera/hand_script.h"
+#include "camera/sensor.h"
+#include "core/error.h"
+#include "core/picture_pool.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+namespace onestroke {
+namespace {
+
+constexpr std::size_t buffers = 6;
+constexpr std::size_t most_hands = 2;
+
+const MarkerSpec& marker_of(const Catalog& catalog, std::optional<int> id, std::size_t otherwise) {
+  if (id) {
+    for (const MarkerSpec& m : catalog.markers) {
+      if (m.id == *id) return m;
+    }
+    throw Error("camera synthetic: the catalogue has no marker " + std::to_string(*id) + "; give an id that it has");
+  }
+  if (catalog.markers.size() <= otherwise) {
+    throw Error("camera synthetic: the catalogue has " + std::to_string(catalog.markers.size()) +
+                " markers and the script needs " + std::to_string(otherwise + 1) + "; add markers to it");
+  }
+  return catalog.markers[otherwise];
+}
+
+std::vector<std::unique_ptr<const Rod>> make_rods(const SyntheticOptions& options, const Catalog& catalog) {
+  std::vector<std::unique_ptr<const Rod>> rods;
+  if (options.script == ScriptKind::hands) {
+    rods.push_back(std::make_unique<const Rod>(marker_of(catalog, options.first_id, 0)));
+    rods.push_back(std::make_unique<const Rod>(marker_of(catalog, options.second_id, 1)));
+  } else {
+    rods.push_back(std::make_unique<const Rod>(marker_of(catalog, options.marker, 0)));
+  }
+  return rods;
+}
+
+std::vector<const Rod*> pointers(const std::vector<std::unique_ptr<const Rod>>& rods) {
+  std::vector<const Rod*> out;
+  for (const auto& rod : rods) out.push_back(rod.get());
+  return out;
+}
+
+void sleep_until(Time when) {
+  timespec at{};
+  at.tv_sec = when.ns / 1'000'000'000;
+  at.tv_nsec = when.ns % 1'000'000'000;
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) != 0) {
+  }
+}
+
+class SyntheticCamera : public Camera {
+ public:
+  SyntheticCamera(const SyntheticOptions& options, const Catalog& catalog, const Intrinsics& intrinsics)
+      : options_(options),
+        rods_(make_rods(options, catalog)),
+        script_(options, pointers(rods_)),
+        room_(std::min(intrinsics.fx, finest_room), options.seed),
+        renderer_(options.threads),
+        pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
+    frame_.intrinsics = intrinsics;
+    frame_.width = options.width;
+    frame_.height = options.height;
+    frame_.room = &room_;
+    frame_.effects.exposure = Duration::from_ms(options.exposure_ms);
+    frame_.effects.readout = Duration::from_ms(options.readout_ms.value_or(0));
+    frame_.effects.noise = options.noise;
+    frame_.effects.gain = options.gain;
+    frame_.effects.light_kelvin = options.light_kelvin;
+    frame_.effects.blur = options.blur;
+    for (const auto& rod : rods_) frame_.markers.push_back({rod.get(), {}});
+    frame_.fingers.resize(rods_.size() * script_.capsules());
+    for (std::size_t i = 0; i < frame_.fingers.size(); ++i) {
+      script_.size_capsule(i % script_.capsules(), frame_.fingers[i]);
+    }
+  }
+
+  Status next(PictureHandle& picture) override {
+    if (length() != 0 && next_ >= length()) return Status::end;
+    PictureHandle::Loan* loan = pool_.acquire();
+    if (!loan) return Status::busy;
+    const Duration span = frame_.effects.exposure + frame_.effects.readout;
+    Duration moment = since_start(next_);
+    Time start{moment.ns};
+    if (options_.live) {
+      start = wait_for_turn() - span;
+      moment = start - began_;
+    }
+    pose_frame(moment, span);
+    draw(*loan);
+    fill(loan->picture, start);
+    picture = PictureHandle(*loan);
+    ++next_;
+    return Status::ok;
+  }
+
+  std::string message() const override { return {}; }
+  bool live() const override { return options_.live; }
+  double rate() const override { return options_.fps; }
+
+  std::size_t length() const override {
+    if (options_.seconds > 0) return static_cast<std::size_t>(std::ceil(options_.seconds * options_.fps - 1e-6));
+    const bool turns = options_.script != ScriptKind::hands && options_.script != ScriptKind::still;
+    return turns && !options_.live ? static_cast<std::size_t>(std::ceil(360 / options_.step_deg - 1e-6)) : 0;
+  }
+
+  std::span<const TrueMarker> truth(const Picture& picture) const override {
+    const std::size_t i = pool_.index(picture);
+    return i < buffers ? std::span(truths_[i]).first(rods_.size()) : std::span<const TrueMarker>{};
+  }
+
+ private:
+  static constexpr double finest_room = 700;  // texels per radian: what is out of focus needs no more
+
+  Duration since_start(std::uint64_t index) const {
+    return Duration::from_seconds(static_cast<double>(index) / options_.fps);
+  }
+
+  /// The end of the next exposure; where the program was slow, of the newest one that is over.
+  Time wait_for_turn() {
+    if (began_.ns == 0) began_ = Time::now();
+    const double now = (Time::now() - began_).seconds();
+    next_ = std::max(next_, static_cast<std::uint64_t>(std::max(0.0, now * options_.fps)));
+    const Time due = began_ + since_start(next_);
+    sleep_until(due);
+    return due;
+  }
+
+  void pose_frame(Duration start, Duration span) {
+    std::array<double, PosePath::knots> at{};
+    std::array<Pose, PosePath::knots> head, poses, T_camera_world;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      at[k] = start.seconds() + span.seconds() * static_cast<double>(k) / (PosePath::knots - 1);
+      head[k] = script_.T_world_camera(at[k]);
+      T_camera_world[k] = inverse(head[k]);
+    }
+    frame_.T_world_camera = PosePath(head);
+    for (std::size_t hand = 0; hand < rods_.size(); ++hand) {
+      for (std::size_t k = 0; k < at.size(); ++k) poses[k] = T_camera_world[k] * script_.T_world_marker(hand, at[k]);
+      frame_.markers[hand].T_camera_marker = PosePath(poses);
+      for (std::size_t c = 0; c < script_.capsules(); ++c) {
+        for (std::size_t k = 0; k < at.size(); ++k) {
+          poses[k] = T_camera_world[k] * script_.T_world_capsule(hand, c, at[k]);
+        }
+        frame_.fingers[hand * script_.capsules() + c].T_camera_finger = PosePath(poses);
+      }
+    }
+    frame_.noise_seed = scramble(options_.seed) + next_ * 0x10001;
+  }
+
+  void draw(PictureHandle::Loan& loan) {
+    std::array<int, most_hands> visible{};
+    renderer_.render(frame_, pool_.bytes(loan).data(), 3 * static_cast<std::size_t>(options_.width),
+                     std::span(visible).first(rods_.size()));
+    for (std::size_t hand = 0; hand < rods_.size(); ++hand) {
+      truths_[pool_.index(loan)][hand] = {rods_[hand]->spec().id, frame_.markers[hand].T_camera_marker.middle(),
+                                          visible[hand]};
+    }
+    loan.picture.planes[0] = pool_.bytes(loan).data();
+  }
+
+  void fill(Picture& picture, Time start) const {
+    picture.width = options_.width;
+    picture.height = options_.height;
+    picture.format = PixelFormat::rgb8;
+    picture.strides[0] = 3 * static_cast<std::size_t>(options_.width);
+    picture.sequence = next_;
+    picture.exposure = {start, frame_.effects.exposure, frame_.effects.readout};
+    picture.intrinsics = frame_.intrinsics;
+    picture.T_world_camera = frame_.T_world_camera.middle();
+    picture.source = "";
+  }
+
+  SyntheticOptions options_;
+  std::vector<std::unique_ptr<const Rod>> rods_;
+  HandScript script_;
+  Room room_;
+  SyntheticRenderer renderer_;
+  SyntheticFrame frame_;
+  PicturePool pool_;
+  std::array<std::array<TrueMarker, most_hands>, buffers> truths_;
+  Time began_;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Camera> make_synthetic_camera(const SyntheticOptions& options, const Catalog& catalog,
+                                              const std::optional<Intrinsics>& intrinsics) {
+  return std::make_unique<SyntheticCamera>(
+      options, catalog,
+      intrinsics.value_or(
+          Intrinsics::from_fov(options.width, options.height, options.fov_deg * std::numbers::pi / 180)));
+}
+
+}  // namespace onestroke
