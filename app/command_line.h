@@ -41,11 +41,11 @@ struct TrackOptions {
 struct MarkerOptions {
   enum class Action { import, export_, list, show };
   Action action = Action::list;
-  std::filesystem::path catalog;  ///< The SQLite store; list and show also take the exchange JSON.
-  std::filesystem::path input;    ///< import: the JSON to read.
-  std::filesystem::path output;   ///< export: the JSON to write; empty for standard output.
-  std::string which;              ///< show: an id or a name.
-  bool replace = false;           ///< import: new entries take the place of old ones with the same id.
+  std::filesystem::path catalog{};  ///< The SQLite store; list and show also take the exchange JSON.
+  std::filesystem::path input{};    ///< import: the JSON to read, or another store.
+  std::filesystem::path output{};   ///< export: the JSON to write; empty for standard output.
+  std::string which{};              ///< show: an id or a name.
+  bool replace = false;             ///< import: new entries take the place of old ones with the same id.
 };
 
 /// --help, --version, --completion: what to print before leaving.

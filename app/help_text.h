@@ -68,7 +68,7 @@ x right, y down, z forward; pixel centres at half-integers.)";
 inline constexpr const char* marker = "Keep the catalogue of markers";
 inline constexpr const char* import =
     "Add the markers of a JSON file to a catalogue: all of them or, at any error, none";
-inline constexpr const char* import_file = "The markers in exchange form";
+inline constexpr const char* import_file = "The markers in exchange form; another catalogue will do too";
 inline constexpr const char* import_catalog = "The catalogue to add to, an SQLite database; made where it is missing";
 inline constexpr const char* replace = "Markers whose id is in the catalogue already take the place of the old";
 inline constexpr const char* export_ = "Write a catalogue in exchange form";

@@ -6,19 +6,11 @@
 #include <charconv>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 
 namespace onestroke {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw Error(file.string() + " cannot be read; check that it exists and that you may read it");
-  return text;
-}
 
 /// Beside the file first, then in its place, so that no half of it is ever there.
 void write_text(const fs::path& file, const std::string& text) {
@@ -40,7 +32,7 @@ void write_text(const fs::path& file, const std::string& text) {
 }
 
 void import(const MarkerOptions& options, std::ostream& out) {
-  const Catalog more = catalog_from_json(read_text(options.input), options.input.string());
+  const Catalog more = load_catalog(options.input);
   CatalogStore store(options.catalog, true);
   store.import(more, options.replace);
   out << more.markers.size() << (more.markers.size() == 1 ? " marker" : " markers") << " imported; "

@@ -17,9 +17,14 @@ std::string read_file(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     throw Error(file.string() + " is a folder; name the catalogue file in it");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error(file.string() + " cannot be read; check that it exists and that you may read it");
-  return {std::istreambuf_iterator<char>(in), {}};
+  try {
+    std::ifstream in(file, std::ios::binary);
+    in.exceptions(std::ios::badbit);
+    if (in) return {std::istreambuf_iterator<char>(in), {}};
+  } catch (const std::ios::failure&) {
+    // Said below, as for a file that does not open.
+  }
+  throw Error(file.string() + " cannot be read; check that it exists and that you may read it");
 }
 
 }  // namespace
@@ -49,13 +54,13 @@ void check_marker(const MarkerSpec& marker) {
 
 void Uniqueness::add(const MarkerSpec& marker, const std::string& label) {
   const auto id = ids_.find(marker.id);
-  if (id != ids_.end()) throw Error("id " + std::to_string(marker.id) + " is given twice; " + id->second + " has it");
+  if (id != ids_.end()) throw Error("id " + std::to_string(marker.id) + " is given twice, first by " + id->second);
   const auto name = names_.find(marker.name);
-  if (name != names_.end()) throw Error("name \"" + marker.name + "\" is given twice; " + name->second + " has it");
+  if (name != names_.end()) throw Error("name \"" + marker.name + "\" is given twice, first by " + name->second);
   const std::pair code{marker.cells.size(), decode(marker.cells)};
   const auto same = codes_.find(code);
   if (same != codes_.end())
-    throw Error("code " + to_letters(marker.cells) + " is given twice; " + same->second + " has it");
+    throw Error("code " + to_letters(marker.cells) + " is given twice, first by " + same->second);
   ids_.emplace(marker.id, label);
   names_.emplace(marker.name, label);
   codes_.emplace(code, label);

@@ -119,7 +119,8 @@ void insert(Connection& database, const MarkerSpec& marker) {
 /// Throws where the new markers cannot stand beside those that stay.
 void check_together(const Catalog& kept, const Catalog& more, const std::string& file) {
   Uniqueness unique;
-  for (const MarkerSpec& marker : kept.markers) unique.add(marker, "its " + entry_label(marker.id, marker.name));
+  for (const MarkerSpec& marker : kept.markers)
+    unique.add(marker, "the catalogue's " + entry_label(marker.id, marker.name));
   for (const MarkerSpec& marker : more.markers) {
     const std::string label = entry_label(marker.id, marker.name);
     try {

@@ -108,7 +108,7 @@ TEST(CatalogJson, RefusesCellsThatBreakTheLaw) {
 
 TEST(CatalogJson, RefusesWhatIsGivenTwice) {
   EXPECT_THAT(second_is(entry("1", R"("m02")", R"("cells": "RBGRBG")", angle)),
-              HasSubstr("id 1 is given twice; marker 1 (\"m01\") has it"));
+              HasSubstr("id 1 is given twice, first by marker 1 (\"m01\")"));
   EXPECT_THAT(second_is(entry("2", R"("m01")", R"("cells": "RBGRBG")", angle)),
               HasSubstr("name \"m01\" is given twice"));
   EXPECT_THAT(second_with(R"("cells": "RGBRGB")"), HasSubstr("code RGBRGB is given twice"));

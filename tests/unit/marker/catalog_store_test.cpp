@@ -64,6 +64,7 @@ TEST_F(CatalogStoreTest, LoadsEitherFormByItsContent) {
   EXPECT_TRUE(same(load_catalog(folder_ / "catalog.db.txt"), example_catalog()));
   EXPECT_THAT(error_of([&] { load_catalog(folder_ / "none.json"); }), HasSubstr("none.json cannot be read"));
   EXPECT_THAT(error_of([&] { load_catalog(folder_); }), HasSubstr("is a folder"));
+  EXPECT_THAT(error_of([&] { load_catalog("/proc/self/mem"); }), HasSubstr("cannot be read"));
 }
 
 TEST_F(CatalogStoreTest, ImportsAddUp) {
@@ -89,7 +90,7 @@ TEST_F(CatalogStoreTest, RefusesWhatIsThereAndChangesNothing) {
   EXPECT_THAT(error_of([&] {
                 store.import({{good, marker(21, "other", 12345, shape)}});
               }),
-              HasSubstr("its marker 1 (\"m01\") has it"));
+              HasSubstr("first by the catalogue's marker 1 (\"m01\")"));
   EXPECT_THAT(error_of([&] { store.import({{good, good}}); }), HasSubstr("id 20 is given twice"));
   MarkerSpec unlawful = marker(21, "other", 1, shape);
   unlawful.cells.back() = CellColor::red;

@@ -1,0 +1,231 @@
+#include "app/command_line.h"
+
+#include "core/error.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace onestroke {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The arguments as a shell would part them; no quoting.
+Command parse(const std::string& line) {
+  std::istringstream words(line);
+  return parse_command_line({std::istream_iterator<std::string>(words), {}});
+}
+
+template <typename Options>
+Options parsed(const std::string& line) {
+  return std::get<Options>(parse(line));
+}
+
+std::string printed(const std::string& line) {
+  return parsed<PrintText>(line).text;
+}
+
+std::string refusal(const std::string& line) {
+  try {
+    parse(line);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CommandLine, RunAloneIsTheDemo) {
+  const auto run = parsed<RunOptions>("run");
+  EXPECT_EQ(run.source.camera, "synthetic");
+  EXPECT_EQ(run.display, "");
+  EXPECT_TRUE(run.catalog.empty());
+  EXPECT_EQ(run.mode, PictureTime::exposure);
+  EXPECT_FALSE(run.source.fov_deg || run.source.readout_ms || run.frames || run.seconds);
+}
+
+TEST(CommandLine, RunTakesEveryOption) {
+  const auto run = parsed<RunOptions>(
+      "run --camera libcamera:0 --fov 62.5 --readout-ms 16.6 --display offscreen:film --catalog c.db --mode fresh "
+      "--frames 300 --seconds 2.5");
+  EXPECT_EQ(run.source.camera, "libcamera:0");
+  EXPECT_EQ(run.source.fov_deg, 62.5);
+  EXPECT_EQ(run.source.readout_ms, 16.6);
+  EXPECT_EQ(run.display, "offscreen:film");
+  EXPECT_EQ(run.catalog, "c.db");
+  EXPECT_EQ(run.mode, PictureTime::fresh);
+  EXPECT_EQ(run.frames, 300);
+  EXPECT_EQ(run.seconds, 2.5);
+}
+
+TEST(CommandLine, TrackTakesEveryOption) {
+  const auto track = parsed<TrackOptions>(
+      "track --camera=folder:a,b=c:d --calibration lens.yaml --readout-ms 0 --catalog c.json --output p.jsonl "
+      "--overlay o "
+      "--independent --threads 4 --frames 7");
+  EXPECT_EQ(track.source.camera, "folder:a,b=c:d");
+  EXPECT_EQ(track.source.calibration, "lens.yaml");
+  EXPECT_EQ(track.source.readout_ms, 0);
+  EXPECT_EQ(track.catalog, "c.json");
+  EXPECT_EQ(track.output, "p.jsonl");
+  EXPECT_EQ(track.overlay, "o");
+  EXPECT_TRUE(track.independent);
+  EXPECT_EQ(track.threads, 4);
+  EXPECT_EQ(track.frames, 7);
+}
+
+TEST(CommandLine, TrackHasDefaults) {
+  const auto track = parsed<TrackOptions>("track --catalog c.db");
+  EXPECT_EQ(track.source.camera, "synthetic");
+  EXPECT_TRUE(track.output.empty());
+  EXPECT_TRUE(track.overlay.empty());
+  EXPECT_FALSE(track.independent);
+  EXPECT_EQ(track.threads, 1);
+}
+
+TEST(CommandLine, LeavesTheSyntheticCamerasOptionsToIt) {
+  const std::string camera = "synthetic:noise=2,blur=1,readout_ms=20,fingers=1,width=1280,height=720,seed=3";
+  EXPECT_EQ(parsed<RunOptions>("run --camera " + camera).source.camera, camera);
+}
+
+TEST(CommandLine, MarkerActions) {
+  using Action = MarkerOptions::Action;
+  const auto import = parsed<MarkerOptions>("marker import in.json --catalog c.db --replace");
+  EXPECT_EQ(import.action, Action::import);
+  EXPECT_EQ(import.input, "in.json");
+  EXPECT_EQ(import.catalog, "c.db");
+  EXPECT_TRUE(import.replace);
+  EXPECT_FALSE(parsed<MarkerOptions>("marker import --catalog c.db in.json").replace);
+  const auto write = parsed<MarkerOptions>("marker export --catalog c.db --output out.json");
+  EXPECT_EQ(write.action, Action::export_);
+  EXPECT_EQ(write.output, "out.json");
+  EXPECT_TRUE(parsed<MarkerOptions>("marker export --catalog c.db").output.empty());
+  EXPECT_EQ(parsed<MarkerOptions>("marker list --catalog c.db").action, Action::list);
+  const auto show = parsed<MarkerOptions>("marker show m03 --catalog c.db");
+  EXPECT_EQ(show.action, Action::show);
+  EXPECT_EQ(show.which, "m03");
+}
+
+TEST(CommandLine, RefusesInOneLineWithARemedy) {
+  const char* wrong[] = {"",
+                         "bla",
+                         "run run",
+                         "run --bla",
+                         "run --camera",
+                         "run --camera webcam",
+                         "run --camera file:",
+                         "run --camera synthetic:",
+                         "run --display offscreen",
+                         "run --display window:2",
+                         "run --mode slow",
+                         "run --frames 0",
+                         "run --frames 1.5",
+                         "run --frames 99999999999",
+                         "run --seconds 0",
+                         "run --seconds -1",
+                         "run --fov 0",
+                         "run --fov nan",
+                         "run --fov 180",
+                         "run --fov 35deg",
+                         "run --readout-ms -1",
+                         "run --readout-ms inf",
+                         "run --fov 35 --calibration lens.yaml",
+                         "run --fov 35 --fov 36",
+                         "track",
+                         "track --catalog c.db --threads 0",
+                         "track --catalog c.db --display window",
+                         "marker",
+                         "marker bla",
+                         "marker list",
+                         "marker import --catalog c.db",
+                         "marker show --catalog c.db",
+                         "marker list more --catalog c.db",
+                         "--completion fish"};
+  for (const char* line : wrong) {
+    const std::string message = refusal(line);
+    EXPECT_THAT(message, HasSubstr("; see `onestroke")) << line;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+TEST(CommandLine, RefusalsNameTheThing) {
+  EXPECT_THAT(refusal(""), HasSubstr("run, track or marker"));
+  EXPECT_THAT(refusal("run --bla"), AllOf(HasSubstr("--bla"), HasSubstr("`onestroke run --help`")));
+  EXPECT_THAT(refusal("run --camera webcam"), AllOf(HasSubstr("\"webcam\""), HasSubstr("file:VIDEO")));
+  EXPECT_THAT(refusal("run --fov 180"), AllOf(HasSubstr("--fov"), HasSubstr("from 1 to 170 degrees")));
+  EXPECT_THAT(refusal("track"), HasSubstr("--catalog is required; see `onestroke track --help`"));
+  EXPECT_THAT(refusal("marker"), HasSubstr("import, export, list or show"));
+}
+
+TEST(CommandLine, EveryCameraButTheSyntheticNeedsItsLensKnown) {
+  for (const std::string command : {"run", "track --catalog c.db"})
+    for (const std::string camera : {"libcamera", "file:a.mp4", "folder:a"}) {
+      const std::string line = command + " --camera " + camera;
+      EXPECT_THAT(refusal(line), AllOf(HasSubstr("--fov DEG or --calibration FILE.yaml"), HasSubstr(camera)));
+      EXPECT_EQ(refusal(line + " --fov 35"), "accepted");
+      EXPECT_EQ(refusal(line + " --calibration lens.yaml"), "accepted");
+    }
+}
+
+TEST(CommandLine, HelpTeaches) {
+  EXPECT_THAT(printed("--help"), AllOf(HasSubstr("Examples:"), HasSubstr("Units:"), HasSubstr("Exit codes:")));
+  EXPECT_THAT(printed("run --help"), AllOf(HasSubstr("onestroke run --camera"), HasSubstr("Default: exposure")));
+  EXPECT_THAT(printed("track --help"), HasSubstr("p_camera = R p_marker + t"));
+  EXPECT_THAT(printed("marker --help"), HasSubstr("onestroke marker import"));
+  EXPECT_THAT(printed("marker import --help"), HasSubstr("--replace"));
+  for (const char* line : {"--help", "run --help", "track --help", "marker --help", "marker show --help"}) {
+    std::istringstream lines(printed(line));
+    for (std::string text; std::getline(lines, text);) EXPECT_LE(text.size(), 125u) << text;
+  }
+}
+
+TEST(CommandLine, ExamplesOfTheHelpAreAccepted) {
+  int examples = 0;
+  for (const char* command : {"--help", "run --help", "track --help", "marker --help"}) {
+    std::istringstream lines(printed(command));
+    for (std::string line; std::getline(lines, line);) {
+      const std::string start = "  onestroke ";
+      if (!line.starts_with(start)) continue;
+      line.erase(0, start.size());
+      line.erase(std::min(line.size(), line.find("   ")));
+      EXPECT_EQ(refusal(line), "accepted") << line;
+      ++examples;
+    }
+  }
+  EXPECT_GE(examples, 14);
+}
+
+TEST(CommandLine, VersionIsOneLine) {
+  EXPECT_THAT(printed("--version"), testing::MatchesRegex("onestroke [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+/// What bash offers after these words; the last is what has been typed so far of the next.
+std::string offered(const std::string& words, int last) {
+  const std::string file = testing::TempDir() + "onestroke-completion.bash";
+  std::ofstream(file) << printed("--completion bash") << "COMP_WORDS=(" << words << ")\nCOMP_CWORD=" << last
+                      << "\n_onestroke\necho \"${COMPREPLY[@]}\"\n";
+  const std::unique_ptr<FILE, int (*)(FILE*)> shell(popen(("bash " + file).c_str(), "r"), pclose);
+  std::string text;
+  for (int c = std::fgetc(shell.get()); c != EOF && c != '\n'; c = std::fgetc(shell.get()))
+    text += static_cast<char>(c);
+  return text;
+}
+
+TEST(CommandLine, CompletesInBash) {
+  EXPECT_EQ(offered("onestroke ''", 1), "run track marker --help --version --completion");
+  EXPECT_EQ(offered("onestroke tr", 1), "track");
+  EXPECT_EQ(offered("onestroke track --o", 2), "--output --overlay");
+  EXPECT_EQ(offered("onestroke marker ''", 2), "import export list show --help");
+  EXPECT_EQ(offered("onestroke marker import --r", 3), "--replace");
+  EXPECT_EQ(offered("onestroke run --mode f", 3), "fresh");
+  EXPECT_EQ(offered("onestroke run --camera f", 3), "file: folder:");
+  EXPECT_EQ(offered("onestroke run --camera file : /etc/host", 5).substr(0, 9), "/etc/host");
+}
+
+}  // namespace
+}  // namespace onestroke
