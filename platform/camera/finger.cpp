@@ -15,6 +15,14 @@ double crease(double y, double at, double width) {
   return std::exp(-u * u);
 }
 
+constexpr double wrist = 62;  // mm down a palm, where the sleeve begins
+
+Material cloth(Vec3 point) {
+  const double knit = std::sin(2.2 * point.x) * std::sin(1.7 * point.y) + 0.6 * std::sin(0.11 * point.y * point.x);
+  const double cuff = point.y < wrist + 2 ? 0.6 : 1.0;
+  return {static_cast<float>(cuff * (1 + 0.10 * knit)) * Linear{0.115f, 0.125f, 0.150f}, 0.01f, 0.2f};
+}
+
 }  // namespace
 
 double cast(double length, double radius, Vec3 eye, Vec3 direction) {
@@ -32,8 +40,9 @@ double cast(double length, double radius, Vec3 eye, Vec3 direction) {
   return h < 0 ? 0 : std::max((-db - std::sqrt(h)) / dd, 0.0);
 }
 
-Vec3 normal(double length, double radius, Vec3 point) {
+Vec3 normal(double length, double radius, bool jointed, Vec3 point) {
   const Vec3 n = (point - nearest_on_axis(length, point)) / radius;
+  if (!jointed) return n;
   // Skin folds: the surface dips at the two joints and is nowhere quite even.
   const double joint = 2.4 * radius, knuckle = 5.2 * radius;
   const double dip = 0.35 * ((point.y - joint) / 1.2 * crease(point.y, joint, 1.2) +
@@ -42,16 +51,19 @@ Vec3 normal(double length, double radius, Vec3 point) {
   return normalized(n + Vec3{0, uneven - dip, 0});
 }
 
-Material material(double radius, bool has_nail, Vec3 point) {
+Material material(double radius, bool jointed, Vec3 point) {
+  if (!jointed && point.y > wrist) return cloth(point);
   const double x = point.x / (0.62 * radius), y = (point.y + 0.15 * radius) / (0.85 * radius);
-  const double nail = has_nail && point.z < 0 ? x * x + y * y : 2;
+  const double nail = jointed && point.z < 0 ? x * x + y * y : 2;
   if (nail < 1) {
     const float tip = static_cast<float>(std::clamp((-point.y / radius - 0.62) * 8, 0.0, 1.0));
     const Linear plate = mix({0.66f, 0.38f, 0.31f}, {0.72f, 0.62f, 0.54f}, tip);
     return {static_cast<float>(nail > 0.86 ? 0.78 : 1.0) * plate, 0.16f, 0.2f};
   }
-  const double folds = crease(point.y, 2.4 * radius, 0.5) + 0.6 * crease(point.y, 2.4 * radius + 1.8, 0.4) +
-                       crease(point.y, 5.2 * radius, 0.6) + 0.5 * crease(point.y, 5.2 * radius - 2.2, 0.5);
+  const double folds = !jointed
+                           ? 0
+                           : crease(point.y, 2.4 * radius, 0.5) + 0.6 * crease(point.y, 2.4 * radius + 1.8, 0.4) +
+                                 crease(point.y, 5.2 * radius, 0.6) + 0.5 * crease(point.y, 5.2 * radius - 2.2, 0.5);
   const double mottle = std::sin(0.45 * point.x + 0.21 * point.y) * std::sin(0.33 * point.y - 0.5 * point.z + 1);
   const double redness = std::clamp(1 - std::abs(point.y) / (2 * radius), 0.0, 1.0) + 0.35 * mottle;
   const Linear skin = mix({0.56f, 0.315f, 0.215f}, {0.60f, 0.285f, 0.21f}, static_cast<float>(0.5 + 0.5 * redness));

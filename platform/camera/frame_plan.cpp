@@ -58,11 +58,9 @@ void FramePlan::make(const SyntheticFrame& frame) {
   for (const SyntheticFinger& f : frame.fingers) {
     constexpr int most_balls = 32;
     std::array<Ball, most_balls> balls;
-    const int n = std::clamp(static_cast<int>(std::ceil(f.length / f.radius)), 1, most_balls);
-    const double half = 0.5 * f.length / n;
-    for (int i = 0; i < n; ++i) {
-      balls[static_cast<std::size_t>(i)] = {{0, half * (2 * i + 1), 0}, std::hypot(half, f.radius) + half};
-    }
+    const int n = std::clamp(static_cast<int>(std::ceil(f.length / f.radius)) + 1, 2, most_balls);
+    const double step = f.length / (n - 1);
+    for (int i = 0; i < n; ++i) balls[static_cast<std::size_t>(i)] = {{0, step * i, 0}, std::hypot(step / 2, f.radius)};
     coverage.add(std::span(balls).first(static_cast<std::size_t>(n)), f.T_camera_finger);
   }
 }

@@ -26,7 +26,7 @@ double side_of(std::size_t hand) {
 
 /// Where the middle of a stick is, before its sway.
 Vec3 place(std::size_t hand, double t) {
-  constexpr double beside = 75, away = 255, closer = 45, pass = 70, usual = 445;
+  constexpr double beside = 75, away = 255, closer = 25, pass = 70, usual = 445;
   const double swap = pi * (ease(t, 14.4, 16.8) + ease(t, 20.0, 22.2));
   const double meet = ease(t, 16.8, 18.2) - ease(t, 18.8, 20.0);
   const double apart = beside + away * (1 - ease(t, 0, 3) + ease(t, 22.2, 24)) - closer * meet;
@@ -99,7 +99,7 @@ Pose HandScript::T_world_capsule(std::size_t hand, std::size_t capsule, double t
   const double side = hands() == 1 ? 1 : side_of(hand);
   const Shape& shape = rods_[hand]->spec().shape;
   const Pose stick = T_world_marker(hand, t);
-  const double grip = (hand == 0 ? 0.76 : 0.30) + 0.12 * swing(t, 2, 0.8 + 2 * static_cast<double>(hand));
+  const double grip = 0.78 + 0.12 * swing(t, 2, 0.8 + 2 * static_cast<double>(hand));
   const CentrelinePoint held_at = shape.at(grip * shape.length());
   const Vec3 point = stick * held_at.position, along = rotate(stick.rotation, held_at.tangent);
   // The thumb lies on the side of the stick that faces the head, the forefinger behind it. Where the stick points at
@@ -116,7 +116,7 @@ Pose HandScript::T_world_capsule(std::size_t hand, std::size_t capsule, double t
   Vec3 origin = point + (behind && !palm ? -off : off) * aside - (behind && !palm ? 12.0 : 5.0) * back;
   Vec3 direction = back;
   if (palm) {
-    origin = origin + (thumb.length - 4) * back + Vec3{2 * side, 4, 8};
+    origin = origin + (thumb.length - 4) * back + Vec3{2 * side, 4, -6};
     direction = normalized(Vec3{0.30 * side, 0.95, -0.10});
   }
   const Vec3 away = behind && !palm ? Vec3{0, 0, -1} : Vec3{0, 0, 1};
@@ -126,9 +126,9 @@ Pose HandScript::T_world_capsule(std::size_t hand, std::size_t capsule, double t
 
 void HandScript::size_capsule(std::size_t capsule, SyntheticFinger& finger) const {
   const bool palm = capsule != 0 && capsule + 1 == capsules();
-  finger.length = palm ? 95 : capsule == 0 ? 46 : 62;
+  finger.length = palm ? 190 : capsule == 0 ? 46 : 62;
   finger.radius = palm ? 17 : capsule == 0 ? 8.5 : 7.5;
-  finger.nail = !palm;
+  finger.jointed = !palm;
 }
 
 }  // namespace onestroke

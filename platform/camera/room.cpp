@@ -10,8 +10,6 @@
 namespace onestroke {
 namespace {
 
-constexpr double half_turn = 1.40;    // rad to either side of straight ahead
-constexpr double half_height = 1.15;  // tangent of the highest elevation
 constexpr float unit = 8192;
 
 using Four = float __attribute__((vector_size(16)));
@@ -25,18 +23,20 @@ Four texel(const std::uint16_t* p) {
 
 }  // namespace
 
-Room::Room(double focal_px, std::uint64_t seed)
-    : width_(static_cast<int>(2 * half_turn * focal_px)),
-      height_(static_cast<int>(2 * half_height * focal_px)),
+Room::Room(double focal_px, std::uint64_t seed, const Extent& extent)
+    : extent_(extent),
+      width_(std::max(2, static_cast<int>(2 * extent.half_turn * focal_px))),
+      height_(std::max(2, static_cast<int>(2 * extent.half_height * focal_px))),
       scale_(static_cast<float>(focal_px)) {
   const RoomScene scene(seed);
   const std::size_t width = static_cast<std::size_t>(width_);
   std::vector<float> light(4 * width * static_cast<std::size_t>(height_));
   for (int y = 0; y < height_; ++y) {
     float* row = light.data() + 4 * width * static_cast<std::size_t>(y);
+    const double down = (y + 0.5) / focal_px - extent.half_height;
     for (int x = 0; x < width_; ++x) {
-      const double turn = (x + 0.5) / focal_px - half_turn;
-      const RoomScene::Sight sight = scene.look({std::sin(turn), (y + 0.5) / focal_px - half_height, std::cos(turn)});
+      const double turn = (x + 0.5) / focal_px - extent.half_turn;
+      const RoomScene::Sight sight = scene.look({std::sin(turn), down, std::cos(turn)});
       row[4 * x] = sight.light.r;
       row[4 * x + 1] = sight.light.g;
       row[4 * x + 2] = sight.light.b;
@@ -46,38 +46,43 @@ Room::Room(double focal_px, std::uint64_t seed)
   soften(light, focal_px);
 }
 
-/// The camera is focused on the hands: what lies behind them blurs, the farther the more.
-void Room::soften(const std::vector<float>& light, double focal_px) {
-  constexpr double hands = 450, aperture = 2.6;  // mm
-  constexpr float far = 2400;
-  const double most = focal_px * aperture * (1 / hands - 1 / static_cast<double>(far));
+namespace {
+
+void blur(std::vector<float>& picture, std::vector<float>& scratch, int width, int height, double sigma) {
   Softening soft;
-  soft.set(std::max(0.5, 0.5 * most));
-  std::vector<float> blurred(light.size());
-  const std::size_t floats = 4 * static_cast<std::size_t>(width_);
-  std::vector<float> across(light), scratch(floats);
-  for (int y = 0; y < height_; ++y) {
-    soft.along(across.data() + static_cast<std::size_t>(y) * floats, static_cast<std::size_t>(width_), scratch.data());
-  }
+  soft.set(sigma);
+  const std::size_t floats = 4 * static_cast<std::size_t>(width);
+  const auto row = [&](std::vector<float>& p, int y) { return p.data() + static_cast<std::size_t>(y) * floats; };
+  scratch.resize(picture.size());
+  for (int y = 0; y < height; ++y) soft.along(row(picture, y), static_cast<std::size_t>(width), row(scratch, y));
+  for (int y = 0; y < height; ++y) soft.across(picture.data(), floats, height, y, row(scratch, y));
+  picture.swap(scratch);
+}
+
+}  // namespace
+
+/// The camera is focused on the hands: what lies behind them blurs, the farther the more. Near things keep a little
+/// blur, because one ray a texel leaves jagged edges.
+void Room::soften(std::vector<float>& light, double focal_px) {
+  constexpr double hands = 450, far = 2400, aperture = 2.4;  // mm
+  const double far_blur = focal_px * aperture * (1 / hands - 1 / far) / 2;
+  std::vector<float> scratch;
+  blur(light, scratch, width_, height_, 0.7);
+  std::vector<float> blurred(light);
+  blur(blurred, scratch, width_, height_, std::max(0.5, far_blur));
   texels_.resize(light.size());
-  for (int y = 0; y < height_; ++y) {
-    soft.across(across.data(), floats, height_, y, scratch.data());
-    const std::size_t start = static_cast<std::size_t>(y) * floats;
-    for (std::size_t i = 0; i < floats; ++i) {
-      const float distance = scratch[i / 4 * 4 + 3];
-      const float u = std::clamp(static_cast<float>((1 / hands - 1 / static_cast<double>(distance)) /
-                                                    (1 / hands - 1 / static_cast<double>(far))),
-                                 0.0f, 1.0f);
-      const float v = light[start + i] + u * (scratch[i] - light[start + i]);
-      texels_[start + i] = static_cast<std::uint16_t>(std::clamp(v * unit + 0.5f, 0.0f, 65535.0f));
-    }
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const double distance = static_cast<double>(blurred[i / 4 * 4 + 3]);
+    const float u = static_cast<float>(std::clamp((1 / hands - 1 / distance) / (1 / hands - 1 / far), 0.0, 1.0));
+    const float v = light[i] + u * (blurred[i] - light[i]);
+    texels_[i] = static_cast<std::uint16_t>(std::clamp(v * unit + 0.5f, 0.0f, 65535.0f));
   }
 }
 
 Room::Place Room::place(Vec3 d) const {
   const double flat = std::hypot(d.x, d.z);
-  return {static_cast<float>((std::atan2(d.x, d.z) + half_turn) * static_cast<double>(scale_)) - 0.5f,
-          static_cast<float>((std::clamp(d.y / std::max(flat, 1e-9), -10.0, 10.0) + half_height) *
+  return {static_cast<float>((std::atan2(d.x, d.z) + extent_.half_turn) * static_cast<double>(scale_)) - 0.5f,
+          static_cast<float>((std::clamp(d.y / std::max(flat, 1e-9), -10.0, 10.0) + extent_.half_height) *
                              static_cast<double>(scale_)) -
               0.5f};
 }

@@ -17,8 +17,15 @@ class Room {
     float x = 0, y = 0;
   };
 
-  /// focal_px: texels per radian; the camera's focal length or less. Takes some tenths of a second.
-  Room(double focal_px, std::uint64_t seed);
+  /// How much of the panorama to draw; directions beyond it repeat its edge.
+  struct Extent {
+    double half_turn = 1.4;     ///< rad to either side of straight ahead
+    double half_height = 1.15;  ///< tangent of the highest and the lowest elevation
+  };
+
+  /// focal_px: texels per radian; the camera's focal length or less. Takes some tenths of a second for all of it.
+  Room(double focal_px, std::uint64_t seed, const Extent& extent);
+  Room(double focal_px, std::uint64_t seed) : Room(focal_px, seed, Extent{}) {}
 
   Place place(Vec3 direction_world) const;
   /// n pixels of four floats (linear red, green, blue and one spare), along the straight line from a towards b, whose
@@ -26,7 +33,9 @@ class Room {
   void draw(Place a, Place b, std::size_t n, float* out) const;
 
  private:
-  void soften(const std::vector<float>& light, double focal_px);
+  void soften(std::vector<float>& light, double focal_px);
+
+  Extent extent_;
 
   int width_ = 0, height_ = 0;
   float scale_ = 0;

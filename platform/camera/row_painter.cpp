@@ -153,60 +153,79 @@ void RowPainter::trace_row(int row, int k, float* out) {
     }
     float* const pixel = out + 4 * static_cast<std::size_t>(x);
     const Linear behind{pixel[0], pixel[1], pixel[2]};
-    Linear sum;
+    int rays = 0;
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
         const Point2 p = undistort(frame_->intrinsics, {x + (i + shift) / side, row + (j + shift) / side});
-        sum = sum + trace({p.x, p.y, 1}, x, behind);
+        rays_[static_cast<std::size_t>(rays++)] = trace({p.x, p.y, 1}, x);
       }
     }
-    const Linear mean = (1.0f / static_cast<float>(side * side)) * sum;
+    const Linear mean = mean_light(std::span(rays_).first(static_cast<std::size_t>(rays)), behind);
     pixel[0] = mean.r;
     pixel[1] = mean.g;
     pixel[2] = mean.b;
   }
 }
 
-Linear RowPainter::trace(Vec3 direction, int column, Linear behind) {
-  Nearest nearest{std::numeric_limits<double>::max(), nullptr, {}};
+Linear RowPainter::mean_light(std::span<const Ray> rays, Linear behind) {
+  const float share = 1.0f / static_cast<float>(rays.size());
+  const Thing* const first = rays[0].thing;
+  const bool one = std::all_of(rays.begin(), rays.end(), [&](const Ray& r) { return r.thing == first; });
+  if (one && first && first->finger) {  // skin is smooth: its light at the mean of the rays is the mean light
+    Ray mean = rays[0];
+    for (const Ray& r : rays.subspan(1)) {
+      mean.direction = mean.direction + r.direction;
+      mean.t += r.t;
+    }
+    mean.direction = static_cast<double>(share) * mean.direction;
+    mean.t *= static_cast<double>(share);
+    return finger_light(mean);
+  }
+  Linear sum;
+  for (const Ray& r : rays) sum = sum + (!r.thing ? behind : r.thing->finger ? finger_light(r) : rod_light(r));
+  return share * sum;
+}
+
+RowPainter::Ray RowPainter::trace(Vec3 direction, int column) const {
+  Ray ray{direction, std::numeric_limits<double>::max(), nullptr, {}};
   for (const Thing& thing : active_) {
     if (column < thing.span.first || column > thing.span.last) continue;
     if (thing.finger) {
       const SyntheticFinger& f = frame_->fingers[thing.owner];
       const Placed& at = fingers_[thing.owner];
       const double t = finger::cast(f.length, f.radius, at.eye, apply(at.R_local_camera, direction));
-      if (t > 0 && t < nearest.t) nearest = {t, &thing, {}};
+      if (t > 0 && t < ray.t) ray = {direction, t, &thing, {}};
     } else {
       const Placed& at = markers_[thing.owner];
       PlacedRod::Hit hit;
-      if (rods_[thing.owner].cast(thing.group, apply(at.R_local_camera, direction), nearest.t, hit)) {
-        nearest = {hit.t, &thing, hit};
+      if (rods_[thing.owner].cast(thing.group, apply(at.R_local_camera, direction), ray.t, hit)) {
+        ray = {direction, hit.t, &thing, hit};
       }
     }
   }
-  if (!nearest.thing) return behind;
-  return nearest.thing->finger ? finger_light(nearest, direction) : rod_light(nearest, direction);
+  return ray;
 }
 
-Linear RowPainter::rod_light(const Nearest& nearest, Vec3 direction) {
-  const std::size_t m = nearest.thing->owner;
+Linear RowPainter::rod_light(const Ray& ray) {
+  const std::size_t m = ray.thing->owner;
   const Rod& rod = *frame_->markers[m].rod;
   const Placed& at = markers_[m];
-  const Vec3 local = apply(at.R_local_camera, direction);
-  const Rod::Surface surface = rod.surface(rod.parts()[nearest.hit.part], nearest.hit.cap, at.eye + nearest.t * local);
+  const Vec3 local = apply(at.R_local_camera, ray.direction);
+  const Rod::Surface surface = rod.surface(rod.parts()[ray.hit.part], ray.hit.cap, at.eye + ray.t * local);
   ++hits_[m * max_cells + static_cast<std::size_t>(surface.cell)];
   const CellColor color = rod.spec().cells[static_cast<std::size_t>(surface.cell)];
   const Material print{grain(surface.s, surface.normal) * ink(color), 0.10f, 0.0f};
-  return shade(print, at.light, surface.normal, -normalized(local), openness(nearest.t * direction, nearest.thing));
+  return shade(print, at.light, surface.normal, -normalized(local), openness(ray.t * ray.direction, ray.thing));
 }
 
-Linear RowPainter::finger_light(const Nearest& nearest, Vec3 direction) const {
-  const SyntheticFinger& f = frame_->fingers[nearest.thing->owner];
-  const Placed& at = fingers_[nearest.thing->owner];
-  const Vec3 local = apply(at.R_local_camera, direction);
-  const Vec3 point = at.eye + nearest.t * local;
-  return shade(finger::material(f.radius, f.nail, point), at.light, finger::normal(f.length, f.radius, point),
-               -normalized(local), openness(nearest.t * direction, nearest.thing));
+Linear RowPainter::finger_light(const Ray& ray) const {
+  const SyntheticFinger& f = frame_->fingers[ray.thing->owner];
+  const Placed& at = fingers_[ray.thing->owner];
+  const Vec3 local = apply(at.R_local_camera, ray.direction);
+  const Vec3 point = at.eye + ray.t * local;
+  return shade(finger::material(f.radius, f.jointed, point), at.light,
+               finger::normal(f.length, f.radius, f.jointed, point), -normalized(local),
+               openness(ray.t * ray.direction, ray.thing));
 }
 
 float RowPainter::openness(Vec3 point, const Thing* self) const {

@@ -38,20 +38,24 @@ class RowPainter {
     Vec3 eye;
     LightFrame light;
   };
-  struct Nearest {
+  /// A ray from the camera (z = 1) and the nearest thing that it meets, if any.
+  struct Ray {
+    Vec3 direction;
     double t = 0;
     const Thing* thing = nullptr;
     PlacedRod::Hit hit;
   };
+  static constexpr std::size_t most_rays = 16;
 
   void place(double u);
   Placed locate(const PosePath& path, double u) const;
   void background(int row, float* out) const;
   void things_of_row(int row);
   void trace_row(int row, int k, float* out);
-  Linear trace(Vec3 direction, int column, Linear behind);
-  Linear rod_light(const Nearest& nearest, Vec3 direction);
-  Linear finger_light(const Nearest& nearest, Vec3 direction) const;
+  Ray trace(Vec3 direction, int column) const;
+  Linear mean_light(std::span<const Ray> rays, Linear behind);
+  Linear rod_light(const Ray& ray);
+  Linear finger_light(const Ray& ray) const;
   float openness(Vec3 point_camera, const Thing* self) const;
 
   const SyntheticFrame* frame_ = nullptr;
@@ -61,6 +65,7 @@ class RowPainter {
   std::vector<PlacedRod> rods_;
   std::vector<Placed> markers_, fingers_;
   std::vector<Thing> active_;
+  std::array<Ray, most_rays> rays_;
   std::vector<float> sample_;
   std::vector<int> hits_;
 };

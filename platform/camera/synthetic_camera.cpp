@@ -56,13 +56,22 @@ void sleep_until(Time when) {
   }
 }
 
+/// What of the room a head that sways a little ever sees; a lens that bends much sees the edge repeated.
+Room::Extent seen(const SyntheticOptions& options, const Intrinsics& k) {
+  constexpr double sway = 0.12;  // rad
+  const double across = std::atan(std::max(k.cx, options.width - k.cx) / k.fx) + sway;
+  const double down = std::atan(std::max(k.cy, options.height - k.cy) / k.fy) + sway;
+  const Room::Extent whole;
+  return {std::min(across, whole.half_turn), std::min(std::tan(std::min(down, 1.4)), whole.half_height)};
+}
+
 class SyntheticCamera : public Camera {
  public:
   SyntheticCamera(const SyntheticOptions& options, const Catalog& catalog, const Intrinsics& intrinsics)
       : options_(options),
         rods_(make_rods(options, catalog)),
         script_(options, pointers(rods_)),
-        room_(std::min(intrinsics.fx, finest_room), options.seed),
+        room_(std::min(intrinsics.fx, finest_room), options.seed, seen(options, intrinsics)),
         renderer_(options.threads),
         pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
     frame_.intrinsics = intrinsics;

@@ -25,7 +25,7 @@ struct SyntheticFinger {
   PosePath T_camera_finger;
   double length = 60;
   double radius = 8;
-  bool nail = true;  ///< False for a palm.
+  bool jointed = true;  ///< False for a palm with its wrist and sleeve.
 };
 
 /// What the camera does to the light. Everything but the pixels' averaging is off by default.
