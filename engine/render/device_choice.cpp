@@ -1,0 +1,116 @@
+#include "core/error.h"
+#include "render/instance.h"
+#include "render/vulkan_hooks.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace onestroke {
+
+namespace {
+
+int rank(const vk::raii::PhysicalDevice& device) {
+  switch (device.getProperties().deviceType) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return 0;
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return 1;
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+/// What keeps the device from being used; empty where nothing does.
+std::string shortfall(const vk::raii::PhysicalDevice& device, const GpuOptions& options) {
+  if (device.getProperties().apiVersion < VK_API_VERSION_1_3) return "it has no Vulkan 1.3";
+  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                                            vk::PhysicalDeviceVulkan13Features>();
+  const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
+  if (!v13.dynamicRendering || !v13.synchronization2 || !v13.maintenance4)
+    return "it lacks dynamic rendering, synchronization2 or maintenance4";
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderClipDistance) return "it lacks clip distances";
+  const auto there = device.enumerateDeviceExtensionProperties();
+  for (const auto& name : options.needs.device_extensions)
+    if (std::none_of(there.begin(), there.end(), [&name](const auto& e) { return name == e.extensionName.data(); }))
+      return "it lacks " + name;
+  return {};
+}
+
+std::string list_of(const std::vector<vk::raii::PhysicalDevice>& devices) {
+  std::string text;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    text += (i ? ", " : "") + std::to_string(i) + " " + devices[i].getProperties().deviceName.data();
+  return text;
+}
+
+std::optional<std::size_t> find_named(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted) {
+  std::size_t index = 0;
+  const auto* end = wanted.data() + wanted.size();
+  if (const auto parsed = std::from_chars(wanted.data(), end, index); parsed.ec == std::errc{} && parsed.ptr == end)
+    return index < devices.size() ? std::optional(index) : std::nullopt;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    if (std::string(devices[i].getProperties().deviceName.data()).find(wanted) != std::string::npos) return i;
+  return std::nullopt;
+}
+
+}  // namespace
+
+vk::raii::PhysicalDevice choose_device(const vk::raii::Instance& instance, const GpuOptions& options) {
+  if (options.needs.hooks) return {instance, options.needs.hooks->choose_device(*instance)};
+  auto devices = vk::raii::PhysicalDevices(instance);
+  if (!options.gpu.empty()) {
+    const auto named = find_named(devices, options.gpu);
+    if (!named) throw Error("no GPU is called \"" + options.gpu + "\": there are " + list_of(devices));
+    const std::string lacking = shortfall(devices[*named], options);
+    if (!lacking.empty()) throw Error("GPU \"" + options.gpu + "\" cannot be used, " + lacking + ": choose another");
+    return devices[*named];
+  }
+  std::stable_sort(devices.begin(), devices.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::string reasons;
+  for (auto& device : devices) {
+    const std::string lacking = shortfall(device, options);
+    if (lacking.empty()) return std::move(device);
+    reasons += std::string(reasons.empty() ? " (" : "; ") + device.getProperties().deviceName.data() + ": " + lacking;
+  }
+  if (!reasons.empty()) reasons += ")";
+  throw Error("no Vulkan 1.3 device: install mesa-vulkan-drivers or the GPU's driver" + reasons);
+}
+
+std::uint32_t choose_queue_family(const vk::raii::PhysicalDevice& device) {
+  const auto families = device.getQueueFamilyProperties();
+  const vk::QueueFlags wanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
+  for (std::uint32_t i = 0; i < families.size(); ++i)
+    if ((families[i].queueFlags & wanted) == wanted) return i;
+  throw Error("the GPU has no queue that both draws and computes: choose another with --gpu");
+}
+
+vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::uint32_t queue_family,
+                               const GpuOptions& options) {
+  const float priority = 1;
+  const vk::DeviceQueueCreateInfo queue{
+      .queueFamilyIndex = queue_family, .queueCount = 1, .pQueuePriorities = &priority};
+  std::vector<const char*> extensions;
+  for (const auto& name : options.needs.device_extensions) extensions.push_back(name.c_str());
+  vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true, .maintenance4 = true};
+  vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .timelineSemaphore = true};
+  const vk::PhysicalDeviceFeatures2 features{
+      .pNext = &v12,
+      .features = {.samplerAnisotropy = physical.getFeatures().samplerAnisotropy, .shaderClipDistance = true}};
+  const vk::DeviceCreateInfo info{.pNext = &features,
+                                  .queueCreateInfoCount = 1,
+                                  .pQueueCreateInfos = &queue,
+                                  .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                  .ppEnabledExtensionNames = extensions.data()};
+  try {
+    if (options.needs.hooks) return {physical, options.needs.hooks->create_device(*physical, info)};
+    return physical.createDevice(info);
+  } catch (const vk::SystemError& error) {
+    throw Error(std::string("the GPU's driver refuses to start: update it or choose another with --gpu (") +
+                error.what() + ")");
+  }
+}
+
+}  // namespace onestroke

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/time.h"
+#include "render/gpu.h"
+#include "render/view.h"
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace onestroke {
+
+struct RenderTarget;
+
+/// Letters and digits are their own lower-case character: Key{'l'}.
+enum class Key : int {
+  none = 0,
+  tab = '\t',
+  enter = '\n',
+  escape = 27,
+  space = ' ',
+  left = 256,
+  right,
+  up,
+  down,
+  page_up,
+  page_down,
+};
+
+/// One frame as the display wants it.
+struct FrameInfo {
+  /// False: draw nothing, but call end() all the same (minimised, or the headset is off).
+  bool should_render = false;
+  /// When the frame will be seen.
+  Time time;
+  /// Where from, and where in the target. A display that tracks no head gives views at the world's origin with a field
+  /// of view of its own; the caller may move them before drawing.
+  std::array<View, max_views> views{};
+  int view_count = 0;
+  const RenderTarget* target = nullptr;
+
+  std::span<const View> seen() const { return {views.data(), static_cast<std::size_t>(view_count)}; }
+};
+
+/// Something to look at: a window, a headset, a folder of pictures. One thread, the one that renders.
+///
+///   Gpu gpu({display->needs(), ...});  display->attach(gpu);
+///   while (!display->closed()) { display->begin(frame); if (frame.should_render) renderer.draw(...);
+///   display->end(frame); } display->finish();
+class Display {
+ public:
+  virtual ~Display() = default;
+
+  virtual GpuNeeds needs() const = 0;
+  /// Makes surface and images. Called once, before the first begin(). Throws Error.
+  virtual void attach(Gpu& gpu) = 0;
+
+  /// Waits for the time to draw the next frame. Every begin() is followed by one end() with the same info.
+  virtual void begin(FrameInfo& frame) = 0;
+  /// Shows what was drawn. Neither throws; a display that cannot go on closes, and finish() says why.
+  virtual void end(const FrameInfo& frame) = 0;
+
+  /// Keys pressed since the last call; valid until the next. Also where a window takes notice of the world.
+  virtual std::span<const Key> poll() = 0;
+  virtual bool closed() const = 0;
+  /// True where views follow the wearer's head and must not be moved.
+  virtual bool tracks_head() const = 0;
+
+  /// Ends the show: waits, and finishes files. Throws Error with what went wrong since attach(). Harmless when called
+  /// twice.
+  virtual void finish() = 0;
+  /// What there is to show for it, a line each ("wrote out/film.mp4, 120 frames"); complete after finish().
+  virtual std::vector<std::string> report() const { return {}; }
+};
+
+}  // namespace onestroke

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace onestroke {
+
+class Device;
+class VulkanHooks;
+
+/// What a display asks of Vulkan before it can show anything.
+struct GpuNeeds {
+  std::vector<std::string> instance_extensions{}, device_extensions{};
+  /// Set by a headset's runtime, which must create the instance and the device itself; otherwise null.
+  VulkanHooks* hooks = nullptr;
+};
+
+struct GpuOptions {
+  GpuNeeds needs{};
+  /// Turns on Khronos validation with synchronisation validation; its words go to standard error.
+  bool validation = false;
+  /// Where given, counts validation's warnings and errors, to the very end; it outlives the Gpu and all made from it.
+  std::atomic<int>* validation_messages = nullptr;
+  /// An index into the list of devices, or part of a name; empty takes a discrete GPU before an integrated one before
+  /// the CPU.
+  std::string gpu{};
+};
+
+/// The GPU: instance, device, queue and memory. One thread uses it, and all that is made from it, at a time. Displays
+/// and renderers share it, so it ends with the last of them.
+class Gpu {
+ public:
+  /// Throws Error where there is no Vulkan 1.3 device, an extension or the validation layer is missing, or the named
+  /// GPU is not there.
+  explicit Gpu(const GpuOptions& options);
+  ~Gpu();
+  Gpu(Gpu&&) noexcept;
+  Gpu& operator=(Gpu&&) noexcept;
+
+  /// As the driver gives it: "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6 (LLVM 15.0.6)".
+  std::string name() const;
+  /// Waits until the GPU is idle.
+  void wait();
+
+  /// For the code that speaks Vulkan (render/device.h).
+  const std::shared_ptr<Device>& device() { return device_; }
+
+ private:
+  std::shared_ptr<Device> device_;
+};
+
+}  // namespace onestroke

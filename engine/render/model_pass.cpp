@@ -1,0 +1,114 @@
+#include "render/model_pass.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+
+namespace onestroke {
+
+namespace {
+
+glm::mat4 matrix_of(const ModelInstance& instance) {
+  return glm::make_mat4(instance.world_graphics_from_model.data());
+}
+
+glm::vec3 centre_of(const GpuModel& model) {
+  glm::vec3 sum(0.0F);
+  for (const auto& part : model.parts) sum += part.centre;
+  return sum / static_cast<float>(std::max<std::size_t>(model.parts.size(), 1));
+}
+
+gpu::DrawData data_of(const ModelInstance& instance) {
+  const glm::mat4 rows = glm::transpose(matrix_of(instance));
+  const Color& t = instance.tint;
+  gpu::DrawData data{.model_rows = {rows[0], rows[1], rows[2]}, .tint = {t.r, t.g, t.b, t.a}, .clip_plane = {}};
+  if (instance.clip_plane) {
+    const ClipPlane& p = *instance.clip_plane;
+    data.clip_plane = {p.a, p.b, p.c, p.d};
+  }
+  return data;
+}
+
+}  // namespace
+
+/// Records draws, leaving out state that is already set.
+struct ModelPass::Recorder {
+  const vk::raii::CommandBuffer& commands;
+  vk::PipelineLayout layout;
+  vk::Pipeline bound_pipeline;
+  const GpuModel* bound_model = nullptr;
+  const ModelInstance* pushed = nullptr;
+
+  void draw(const vk::raii::Pipeline& pipeline, const Draw& d, const GpuModel::Part& part) {
+    if (bound_pipeline != *pipeline) commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
+    bound_pipeline = *pipeline;
+    if (bound_model != d.model) {
+      commands.bindVertexBuffers(0, d.model->vertices.handle(), vk::DeviceSize{0});
+      commands.bindIndexBuffer(d.model->indices.handle(), 0, vk::IndexType::eUint32);
+      bound_model = d.model;
+    }
+    if (pushed != d.instance) push(*d.instance);
+    const bool both_sides = part.double_sided || d.instance->clip_plane;
+    commands.setCullMode(both_sides ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, layout, 1, d.model->materials[part.material], {});
+    commands.drawIndexed(part.index_count, 1, part.first_index, 0, 0);
+  }
+
+  void push(const ModelInstance& instance) {
+    const gpu::DrawData data = data_of(instance);
+    commands.pushConstants<gpu::DrawData>(layout, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment,
+                                          0, data);
+    // A mirroring matrix turns every triangle over.
+    const bool mirrors = glm::determinant(glm::mat3(matrix_of(instance))) < 0;
+    commands.setFrontFace(mirrors ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
+    pushed = &instance;
+  }
+};
+
+void ModelPass::prepare(std::span<const ModelInstance> instances) {
+  occluders_.clear();
+  opaque_.clear();
+  blended_.clear();
+  for (const auto& instance : instances) {
+    const GpuModel* model = store_.find(instance.model);
+    if (!model || instance.tint.a <= 0) continue;
+    if (!instance.occluder && instance.tint.a < 1) {
+      blended_.push_back({.model = model, .instance = &instance});
+      continue;
+    }
+    for (const auto& part : model->parts) {
+      auto& list = instance.occluder ? occluders_ : part.blends ? blended_ : opaque_;
+      list.push_back({.model = model, .part = &part, .instance = &instance});
+    }
+  }
+}
+
+void ModelPass::record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
+                       const glm::vec3& eye) {
+  Recorder recorder{.commands = commands, .layout = *layouts.pipeline, .bound_pipeline = {}};
+  for (const auto& d : occluders_) recorder.draw(pipelines.model_depth, d, *d.part);
+  for (const auto& d : opaque_) recorder.draw(pipelines.model, d, *d.part);
+  record_blended(recorder, pipelines, eye);
+}
+
+void ModelPass::record_blended(Recorder& recorder, const Pipelines& pipelines, const glm::vec3& eye) {
+  for (auto& d : blended_) {
+    const glm::vec3 centre = d.part ? d.part->centre : centre_of(*d.model);
+    d.distance = glm::length(glm::vec3(matrix_of(*d.instance) * glm::vec4(centre, 1.0F)) - eye);
+  }
+  std::sort(blended_.begin(), blended_.end(), [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
+  for (const auto& d : blended_) {
+    if (d.part) {
+      recorder.draw(pipelines.model_blend, d, *d.part);
+      continue;
+    }
+    // A faded model first fills the depth buffer, so that only its nearest surface is seen and not its inside.
+    for (const auto& part : d.model->parts)
+      if (!part.blends) recorder.draw(pipelines.model_depth, d, part);
+    for (const auto& part : d.model->parts) recorder.draw(pipelines.model_blend, d, part);
+  }
+}
+
+}  // namespace onestroke

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/model_store.h"
+#include "shaders/shared.h"
+
+namespace onestroke {
+
+/// Draws the instances of a frame: occluders, then what is opaque, then what lets light through, farthest first.
+class ModelPass {
+ public:
+  explicit ModelPass(const ModelStore& store) : store_(store) {}
+
+  /// Sorts the instances by how they are drawn. They must live until the frame is recorded.
+  void prepare(std::span<const ModelInstance> instances);
+  /// Records one view, seen from `eye` (world, graphics axes).
+  void record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
+              const glm::vec3& eye);
+
+ private:
+  struct Draw {
+    const GpuModel* model = nullptr;
+    const GpuModel::Part* part = nullptr;  // null: every part of the model
+    const ModelInstance* instance = nullptr;
+    float distance = 0;
+  };
+
+  struct Recorder;
+  void record_blended(Recorder& recorder, const Pipelines& pipelines, const glm::vec3& eye);
+
+  const ModelStore& store_;
+  std::vector<Draw> occluders_, opaque_, blended_;
+};
+
+}  // namespace onestroke

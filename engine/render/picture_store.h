@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/picture.h"
+#include "render/frame_ring.h"
+
+#include <optional>
+
+namespace onestroke {
+
+/// The camera's picture on its way to the GPU and there.
+class PictureStore {
+ public:
+  explicit PictureStore(Device& device);
+
+  /// Copies the picture's bytes to memory that no frame in flight reads. Throws Error where it is not sound.
+  void set(const Picture& picture);
+  void set_pose(const Pose& T_world_camera) { T_world_camera_ = T_world_camera; }
+  void clear() { shown_ = false; }
+
+  /// Unpacks the newest picture, if one has come since the last frame.
+  void record(FrameSlot& slot);
+
+  bool shown() const { return shown_; }
+  /// Ready for sampling; a single black texel before the first picture.
+  vk::ImageView view() const { return image_ ? image_.second_view() : blank_.view(); }
+  const Intrinsics& intrinsics() const { return intrinsics_; }
+  const Pose& T_world_camera() const { return T_world_camera_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  // One more than the frames in flight: the CPU fills one while the GPU may read the others.
+  static constexpr std::size_t slots = frames_in_flight + 1;
+
+  void write_set(vk::DescriptorSet set, vk::Buffer bytes);
+
+  Device& device_;
+  vk::raii::DescriptorSetLayout set_layout_;
+  vk::raii::PipelineLayout layout_;
+  vk::raii::Pipeline pipeline_;
+  vk::raii::DescriptorPool descriptors_;
+  std::array<vk::DescriptorSet, slots> sets_;
+  std::array<Buffer, slots> staging_;
+  std::size_t next_ = 0;
+  bool pending_ = false, shown_ = false;
+  std::array<std::uint32_t, 8> push_{};
+  Image image_, blank_;
+  int width_ = 0, height_ = 0;
+  Intrinsics intrinsics_;
+  Pose T_world_camera_;
+};
+
+}  // namespace onestroke

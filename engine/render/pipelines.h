@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/device.h"
+
+namespace onestroke {
+
+inline constexpr auto sample_count = vk::SampleCountFlagBits::e4;
+inline constexpr auto depth_format = vk::Format::eD32Sfloat;
+
+/// What every pipeline shares: set 0 changes by frame, set 1 by material, push constants by draw.
+struct Layouts {
+  explicit Layouts(Device& device);
+
+  vk::raii::DescriptorSetLayout frame, material;
+  vk::raii::PipelineLayout pipeline;
+};
+
+/// The pipelines for one format of target. All test depth the reverse way round (nearer is greater).
+struct Pipelines {
+  Pipelines(Device& device, const Layouts& layouts, vk::Format color);
+
+  vk::Format color;
+  vk::raii::Pipeline passthrough;
+  vk::raii::Pipeline model;        ///< Writes depth; culling and front face are set while recording.
+  vk::raii::Pipeline model_blend;  ///< Premultiplied over what is there; does not write depth.
+  vk::raii::Pipeline model_depth;  ///< Depth alone.
+  vk::raii::Pipeline line;
+  vk::raii::Pipeline quad;
+  vk::raii::Pipeline quad_on_top;  ///< Without a depth test.
+};
+
+}  // namespace onestroke

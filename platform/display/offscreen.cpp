@@ -1,0 +1,189 @@
+#include "display/offscreen.h"
+
+#include "core/error.h"
+#include "display/default_view.h"
+#include "display/frame_files.h"
+#include "render/resources.h"
+#include "render/target.h"
+
+namespace onestroke {
+
+namespace {
+
+constexpr auto format = vk::Format::eR8G8B8A8Srgb;
+
+/// One picture on its way from the GPU to the files.
+struct Slot {
+  Image image;
+  Buffer bytes;
+  RenderTarget target;
+  vk::raii::CommandPool pool{nullptr};
+  vk::raii::CommandBuffer commands{nullptr};
+  vk::raii::Fence fence{nullptr};
+  bool pending = false;  // handed to the GPU, not yet to the files
+};
+
+Slot make_slot(Device& device, int width, int height) {
+  Slot slot;
+  const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
+  slot.image =
+      Image(device, {.format = format,
+                     .width = w,
+                     .height = h,
+                     .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
+  slot.bytes =
+      Buffer(device, std::uint64_t{4} * w * h, vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
+  slot.target = {.image = slot.image.handle(),
+                 .view = slot.image.view(),
+                 .format = static_cast<VkFormat>(format),
+                 .width = width,
+                 .height = height,
+                 .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+  slot.pool = device.vk().createCommandPool({.queueFamilyIndex = device.queue_family()});
+  slot.commands =
+      std::move(device.vk().allocateCommandBuffers({.commandPool = *slot.pool, .commandBufferCount = 1}).front());
+  slot.fence = device.vk().createFence({});
+  return slot;
+}
+
+/// The copy is the same every time, so it is recorded once.
+void record_copy(const Slot& slot) {
+  slot.commands.begin({});
+  slot.commands.copyImageToBuffer(
+      slot.image.handle(), vk::ImageLayout::eTransferSrcOptimal, slot.bytes.handle(),
+      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
+                          .imageExtent = {slot.image.info().width, slot.image.info().height, 1}});
+  const vk::MemoryBarrier2 barrier{.srcStageMask = vk::PipelineStageFlagBits2::eAllTransfer,
+                                   .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
+                                   .dstStageMask = vk::PipelineStageFlagBits2::eHost,
+                                   .dstAccessMask = vk::AccessFlagBits2::eHostRead};
+  slot.commands.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
+  slot.commands.end();
+}
+
+void check(const OffscreenOptions& o) {
+  if (o.width < 16 || o.height < 16 || o.width > 16384 || o.height > 16384)
+    throw UsageError("an off-screen picture is 16 to 16384 pixels wide and high");
+  if (!(o.rate > 0 && o.rate <= 1000)) throw UsageError("an off-screen display's rate is 0 to 1000 frames per second");
+  if (o.views < 1 || o.views > 2) throw UsageError("an off-screen display has one view or two");
+  if (o.png_every < 0) throw UsageError("every how many frames a picture is written cannot be negative");
+}
+
+}  // namespace
+
+struct OffscreenDisplay::Impl {
+  OffscreenOptions options;
+  FrameFiles files;
+  std::shared_ptr<Device> device{};
+  // While one is read and written to disk, the other is drawn into.
+  std::array<Slot, 2> slots;
+  std::int64_t frame = 0;
+  std::string failure;
+  bool closed = false, finished = false;
+
+  Slot& slot(std::int64_t n) { return slots[static_cast<std::size_t>(n % 2)]; }
+
+  std::span<const std::uint8_t> bytes(const Slot& slot) const {
+    return {reinterpret_cast<const std::uint8_t*>(slot.bytes.mapped()), slot.bytes.size()};
+  }
+
+  void wait(const Slot& slot) const {
+    vk::resultCheck(device->vk().waitForFences(*slot.fence, true, UINT64_MAX), "waiting for a picture");
+  }
+
+  /// Hands a picture to the files, once.
+  void deliver(Slot& slot) {
+    if (!slot.pending) return;
+    slot.pending = false;
+    wait(slot);
+    files.add(bytes(slot));
+  }
+
+  /// Runs what may throw in the loop; the first error closes the display.
+  template <typename Work>
+  void guard(Work&& work) noexcept {
+    if (closed) return;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      failure = error.what();
+      closed = true;
+    }
+  }
+};
+
+OffscreenDisplay::OffscreenDisplay(const OffscreenOptions& options) {
+  check(options);
+  impl_.reset(new Impl{.options = options, .files = FrameFiles(options), .slots = {}, .failure = {}});
+}
+
+OffscreenDisplay::~OffscreenDisplay() {
+  // A picture may still be on its way.
+  if (impl_->device) impl_->guard([this] { impl_->device->vk().waitIdle(); });
+}
+
+void OffscreenDisplay::attach(Gpu& gpu) {
+  impl_->device = gpu.device();
+  for (auto& slot : impl_->slots) {
+    slot = make_slot(*impl_->device, impl_->options.width, impl_->options.height);
+    record_copy(slot);
+  }
+}
+
+void OffscreenDisplay::begin(FrameInfo& frame) {
+  const OffscreenOptions& o = impl_->options;
+  Slot& slot = impl_->slot(impl_->frame);
+  impl_->guard([&] { impl_->deliver(slot); });
+  frame.should_render = !impl_->closed;
+  frame.time = Time{} + Duration::from_seconds(static_cast<double>(impl_->frame) / o.rate);
+  frame.target = &slot.target;
+  frame.view_count = o.views;
+  const int width = o.width / o.views;
+  for (int i = 0; i < o.views; ++i) {
+    View& view = frame.views[static_cast<std::size_t>(i)];
+    view = default_view({i * width, 0, width, o.height});
+    if (o.views == 2) view.T_world_view.translation.x = (i - 0.5) * o.eye_distance_mm;
+  }
+}
+
+void OffscreenDisplay::end(const FrameInfo& frame) {
+  if (!frame.should_render) return;
+  impl_->guard([&] {
+    Slot& slot = impl_->slot(impl_->frame);
+    impl_->device->vk().resetFences(*slot.fence);
+    const vk::CommandBufferSubmitInfo commands{.commandBuffer = *slot.commands};
+    impl_->device->queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &commands},
+                                   *slot.fence);
+    slot.pending = true;
+    ++impl_->frame;
+  });
+}
+
+bool OffscreenDisplay::closed() const {
+  return impl_->closed;
+}
+
+void OffscreenDisplay::finish() {
+  if (impl_->finished) return;
+  impl_->finished = true;
+  impl_->guard([this] {
+    // Oldest first.
+    for (std::int64_t n = 0; n < 2; ++n) impl_->deliver(impl_->slot(impl_->frame + n));
+    impl_->files.finish();
+  });
+  impl_->closed = true;
+  if (!impl_->failure.empty()) throw Error(impl_->failure);
+}
+
+std::vector<std::string> OffscreenDisplay::report() const {
+  return impl_->files.report();
+}
+
+std::span<const std::uint8_t> OffscreenDisplay::read_back() {
+  if (impl_->frame == 0) throw Error("no frame has been drawn off-screen yet");
+  const Slot& slot = impl_->slot(impl_->frame - 1);
+  impl_->wait(slot);
+  return impl_->bytes(slot);
+}
+
+}  // namespace onestroke

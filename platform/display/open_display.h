@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/display.h"
+
+#include <memory>
+#include <string>
+
+namespace onestroke {
+
+struct DisplayOptions {
+  std::string title = "onestroke";
+  int width = 1280, height = 720;
+  /// Window: waits for the screen's refresh. Otherwise the newest frame wins, where the driver can do that.
+  bool wait_for_screen = true;
+  /// Off-screen: see OffscreenOptions.
+  double rate = 30;
+  int png_every = 1;
+  bool film = true;
+  int views = 1;
+};
+
+/// Opens "window" or "offscreen:DIR". Throws UsageError for other words, and Error where the display cannot be had.
+std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOptions& options);
+
+}  // namespace onestroke

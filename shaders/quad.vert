@@ -1,0 +1,31 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared.h"
+
+layout(set = 0, binding = BINDING_VIEW, std140) uniform View { ViewData view; };
+
+layout(location = 0) in vec4 origin;
+layout(location = 1) in vec4 edge_x;
+layout(location = 2) in vec4 edge_y;
+layout(location = 3) in vec4 uv;
+layout(location = 4) in vec4 color;
+layout(location = 5) in vec4 shape;
+
+layout(location = 0) out vec2 out_at;
+layout(location = 1) flat out vec4 out_uv;
+layout(location = 2) flat out vec4 out_color;
+layout(location = 3) flat out float out_kind;
+
+void main() {
+  vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);
+  vec3 p = origin.xyz + corner.x * edge_x.xyz + corner.y * edge_y.xyz;
+  if (origin.w > 0.5)
+    gl_Position = vec4(p.xy / view.viewport.zw * 2.0 - 1.0, 1.0, 1.0);
+  else
+    gl_Position = view.clip_from_world * vec4(p, 1.0);
+  bool glyph = shape.x > 0.5;
+  out_at = glyph ? mix(uv.xy, uv.zw, corner) : (corner - 0.5) * uv.xy;
+  out_uv = uv;
+  out_color = color;
+  out_kind = shape.x;
+}

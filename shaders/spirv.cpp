@@ -1,0 +1,47 @@
+#include "shaders/spirv.h"
+
+namespace onestroke::spirv {
+
+namespace {
+
+#include "line_frag.spv.h"
+#include "line_vert.spv.h"
+#include "model_frag.spv.h"
+#include "model_vert.spv.h"
+#include "passthrough_frag.spv.h"
+#include "passthrough_vert.spv.h"
+#include "quad_frag.spv.h"
+#include "quad_vert.spv.h"
+#include "unpack_comp.spv.h"
+
+}  // namespace
+
+std::span<const std::uint32_t> passthrough_vert() {
+  return passthrough_vert_words;
+}
+std::span<const std::uint32_t> passthrough_frag() {
+  return passthrough_frag_words;
+}
+std::span<const std::uint32_t> unpack_comp() {
+  return unpack_comp_words;
+}
+std::span<const std::uint32_t> model_vert() {
+  return model_vert_words;
+}
+std::span<const std::uint32_t> model_frag() {
+  return model_frag_words;
+}
+std::span<const std::uint32_t> quad_vert() {
+  return quad_vert_words;
+}
+std::span<const std::uint32_t> quad_frag() {
+  return quad_frag_words;
+}
+std::span<const std::uint32_t> line_vert() {
+  return line_vert_words;
+}
+std::span<const std::uint32_t> line_frag() {
+  return line_frag_words;
+}
+
+}  // namespace onestroke::spirv

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+/// The shaders of this folder, compiled at build time: SPIR-V words for Vulkan 1.3, entry point "main".
+namespace onestroke::spirv {
+
+std::span<const std::uint32_t> passthrough_vert();
+std::span<const std::uint32_t> passthrough_frag();
+std::span<const std::uint32_t> unpack_comp();
+std::span<const std::uint32_t> model_vert();
+std::span<const std::uint32_t> model_frag();
+std::span<const std::uint32_t> quad_vert();
+std::span<const std::uint32_t> quad_frag();
+std::span<const std::uint32_t> line_vert();
+std::span<const std::uint32_t> line_frag();
+
+}  // namespace onestroke::spirv

@@ -1,0 +1,123 @@
+#include "golden/stage.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace onestroke::golden {
+
+namespace {
+
+const std::filesystem::path pictures = ONESTROKE_SOURCE_DIR "/tests/golden/pictures";
+const std::filesystem::path failures = ONESTROKE_FAILURES_DIR;
+
+std::string made_with() {
+  std::string line;
+  std::getline(std::ifstream(pictures / "made_with.txt"), line);
+  return line;
+}
+
+void bless(const std::string& name, const Picture& actual, const std::string& gpu) {
+  write_png(pictures / (name + ".png"), actual);
+  std::ofstream(pictures / "made_with.txt") << gpu << '\n';
+  std::cout << "blessed " << (pictures / (name + ".png")).string() << ", drawn by " << gpu << '\n';
+}
+
+std::string how_to_bless() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return std::string("if the new picture is right, bless it: ONESTROKE_BLESS=1 ") + ONESTROKE_GOLDEN_TEST +
+         " --gtest_filter=" + test->test_suite_name() + "." + test->name();
+}
+
+std::array<std::uint8_t, 3> chart_color(int x, int y, int width, int height) {
+  const bool check = (x / 24 + y / 24) % 2 == 0;
+  const bool line = x % 60 == 0 || y % 60 == 0;
+  if (line) return {250, 250, 60};
+  const int level = check ? 60 : 0;
+  return {static_cast<std::uint8_t>(40 + level + 140 * x / width),
+          static_cast<std::uint8_t>(60 + level + 110 * y / height),
+          static_cast<std::uint8_t>(150 - level + 40 * (x * y % 7 == 0))};
+}
+
+}  // namespace
+
+Chart::Chart(int width, int height, PixelFormat format, double horizontal_fov_rad) {
+  // An odd stride, so that rows are not taken to follow each other without a gap.
+  const std::size_t channels = format == PixelFormat::rgb8 ? 3 : 1;
+  const std::size_t stride = static_cast<std::size_t>(width) * channels + 5;
+  bytes.assign(stride * static_cast<std::size_t>(height), 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto color = chart_color(x, y, width, height);
+      std::copy_n(color.data(), channels,
+                  bytes.data() + stride * static_cast<std::size_t>(y) + channels * static_cast<std::size_t>(x));
+    }
+  picture.width = width;
+  picture.height = height;
+  picture.format = format;
+  picture.planes[0] = bytes.data();
+  picture.strides[0] = stride;
+  picture.intrinsics = Intrinsics::from_fov(width, height, horizontal_fov_rad);
+}
+
+Stage::Stage(int views) : views_(views) {
+  display_ =
+      std::make_unique<OffscreenDisplay>(OffscreenOptions{.width = width * views, .height = height, .views = views});
+  Gpu gpu({.needs = display_->needs(), .validation = true, .validation_messages = &validation_messages_});
+  drawn_by_ = gpu.name();
+  display_->attach(gpu);
+  renderer = std::make_unique<Renderer>(gpu);
+}
+
+void Stage::TearDown() {
+  display_->finish();
+  renderer.reset();
+  display_.reset();
+  EXPECT_EQ(validation_messages_, 0);
+}
+
+Picture Stage::draw(const FrameScene& scene, std::span<const View> views) {
+  const Fov charts = fov_of(Intrinsics::from_fov(width, height, fov), width, height);
+  for (int i = 0; i < 3; ++i) {
+    FrameInfo frame;
+    display_->begin(frame);
+    for (auto& view : frame.views) view.fov = charts;
+    std::copy(views.begin(), views.end(), frame.views.begin());
+    EXPECT_TRUE(renderer->draw(scene, frame)) << renderer->failure();
+    display_->end(frame);
+  }
+  return from_rgba(width * views_, height, display_->read_back());
+}
+
+void Stage::expect_golden(const std::string& name, const Picture& actual, Tolerance tolerance) {
+  if (std::getenv("ONESTROKE_BLESS")) {
+    bless(name, actual, drawn_by_);
+    return;
+  }
+  const auto file = pictures / (name + ".png");
+  ASSERT_TRUE(std::filesystem::exists(file)) << file << " is missing; " << how_to_bless();
+  const Comparison result = compare(read_png(file), actual, tolerance);
+  if (result.same) return;
+  write_png(failures / (name + ".actual.png"), actual);
+  if (!result.difference.rgb.empty()) write_png(failures / (name + ".difference.png"), result.difference);
+  ADD_FAILURE() << name << ": " << result.words << "\nlook at " << failures.string() << "/" << name
+                << ".{actual,difference}.png beside " << file.string() << "\nthe golden pictures were drawn by "
+                << made_with() << ", this one by " << drawn_by_ << "\n"
+                << how_to_bless();
+}
+
+Matrix4 placed(float x, float y, float z, float turn_x, float turn_y, float scale) {
+  glm::mat4 m = glm::translate(glm::mat4(1), glm::vec3(x, y, z));
+  m = glm::rotate(m, turn_x, glm::vec3(1, 0, 0));
+  m = glm::rotate(m, turn_y, glm::vec3(0, 1, 0));
+  m = glm::scale(m, glm::vec3(scale));
+  Matrix4 values;
+  std::copy_n(glm::value_ptr(m), 16, values.begin());
+  return values;
+}
+
+}  // namespace onestroke::golden
