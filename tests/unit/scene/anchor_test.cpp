@@ -1,5 +1,6 @@
-#include "core/error.h"
 #include "scene/anchor.h"
+
+#include "core/error.h"
 #include "scene/frames.h"
 
 #include <glm/matrix.hpp>

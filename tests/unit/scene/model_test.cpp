@@ -1,5 +1,6 @@
-#include "gltf_file.h"
 #include "scene/model.h"
+
+#include "gltf_file.h"
 
 #include <gmock/gmock.h>
 #include <stb/stb_image_write.h>

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/comparison.h"
+
+namespace onestroke {
+
+/// "about the stop arm" where the axis is nearly one of the stick's own, otherwise its three numbers.
+void print_axis(Vec3 axis, Text& words);
+
+/// What the hand holds and how well it is seen.
+void print_label(const HeldMarker& held, std::string_view model_name, Text& words);
+
+/// The lines that stand on the screen.
+void print_hud(ComparisonView& view);
+
+}  // namespace onestroke
