@@ -24,15 +24,21 @@ Point2 distort(const Intrinsics& k, Point2 p) {
 Point2 undistort(const Intrinsics& k, Point2 pixel) {
   const Point2 target{(pixel.x - k.cx) / k.fx, (pixel.y - k.cy) / k.fy};
   if (!k.distorted()) return target;
-  Point2 p = target;
+  // Far outside the picture a lens model may bend back on itself and the steps run away; the nearest one counts then.
+  Point2 p = target, nearest = target;
+  double least = 1e300;
   constexpr int most_steps = 20;
   for (int i = 0; i < most_steps; ++i) {
     const Point2 seen = bend(k, p);
     const Point2 miss{target.x - seen.x, target.y - seen.y};
+    const double size = std::abs(miss.x) + std::abs(miss.y);
+    if (!(size < least)) break;
+    least = size;
+    nearest = p;
+    if (size < 1e-9) break;
     p = {p.x + miss.x, p.y + miss.y};
-    if (std::abs(miss.x) + std::abs(miss.y) < 1e-9) break;
   }
-  return p;
+  return nearest;
 }
 
 }  // namespace onestroke
