@@ -15,7 +15,7 @@ bool front_in_sight(const ImageView& image, const Intrinsics& k, const RodModel&
   const RodModel::Section& m = rod.middle(cell);
   Vec3d out;
   const Vec3d x = rod.surface(m, eye, phi, &out);
-  if (out.dot((eye - x).normalized()) < 0.2) return false;
+  if (out.dot((eye - x).normalized()) < 0.1) return false;
   if (!project(k, pose * x, pixel) || !image.contains(pixel.x(), pixel.y())) return false;
   return !rod.hides_itself(m, x, eye);
 }
@@ -25,7 +25,7 @@ bool front_in_sight(const ImageView& image, const Intrinsics& k, const RodModel&
 Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, const Inks& inks,
                   const EigenPose& pose) {
   Appearance a;
-  std::array<int, max_cells_per_marker> on_arm{};
+  std::array<int, max_cells_per_marker> on_arm{}, arm_in_sight{};
   const Vec3d eye = -pose.R.transpose() * pose.t;
   for (int c = 0; c < rod.cell_count(); ++c) {
     int seen = 0, agrees = 0, contradicts = 0;
@@ -48,6 +48,7 @@ Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const Ro
     }
     if (seen == 0) continue;
     ++a.in_sight;
+    if (rod.arm_of(c) >= 0) ++arm_in_sight[static_cast<std::size_t>(rod.arm_of(c))];
     if (2 * agrees > seen) {
       ++a.agrees;
       if (rod.arm_of(c) >= 0) ++on_arm[static_cast<std::size_t>(rod.arm_of(c))];
@@ -56,6 +57,8 @@ Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const Ro
       ++a.contradicts;
     }
   }
+  for (std::size_t i = 0; i < on_arm.size(); ++i)
+    if (arm_in_sight[i] >= 4) a.weakest_share = std::min(a.weakest_share, 1.0 * on_arm[i] / arm_in_sight[i]);
   std::partial_sort(on_arm.begin(), on_arm.begin() + 2, on_arm.end(), std::greater<>());
   a.fewest_on_arm = on_arm[1];
   return a;

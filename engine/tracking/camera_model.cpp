@@ -28,6 +28,10 @@ EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta
   return {w * p.R, p.t + delta.tail<3>()};
 }
 
+void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian) {
+  hessian.topLeftCorner<3, 3>() += 10 * hessian.topLeftCorner<3, 3>().trace() * axis * axis.transpose();
+}
+
 namespace {
 
 // OpenCV's radial (k1 k2 k3) and tangential (p1 p2) model, with its 2 x 2 derivative.

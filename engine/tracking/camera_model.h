@@ -29,6 +29,10 @@ inline Vec3d to_eigen(Vec3 v) {
 /// place.
 EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta);
 
+/// Keeps a least-squares step from turning about an axis (camera axes): the points of one straight arm say nothing of
+/// it.
+void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian);
+
 /// Pixel (centres at half-integers) of a point in camera axes; false behind the camera.
 bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel);
 

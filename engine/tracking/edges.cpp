@@ -17,13 +17,13 @@ class EdgeMeter {
             EdgeSet& set)
       : image_(image), k_(k), rod_(rod), inks_(inks), pose_(pose), eye_(-pose.R.transpose() * pose.t), set_(set) {}
 
-  void rings() {
-    for (int e = 1; e < rod_.cell_count(); ++e)
+  void rings(CellRange range) {
+    for (int e = std::max(1, range.first + 1); e < rod_.cell_count() && e <= range.last; ++e)
       for (const double phi : ring_angles) ring(e, phi);
   }
 
-  void outlines() {
-    for (int c = 0; c < rod_.cell_count(); ++c)
+  void outlines(CellRange range) {
+    for (int c = range.first; c < rod_.cell_count() && c <= range.last; ++c)
       for (const double side : {-1.0, 1.0}) outline(c, side);
   }
 
@@ -131,12 +131,12 @@ class EdgeMeter {
 }  // namespace
 
 void measure_edges(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, const Inks& inks,
-                   const EigenPose& pose, EdgeSet& set) {
+                   const EigenPose& pose, CellRange range, EdgeSet& set) {
   set.edges.clear();
   set.expected_rings = 0;
   EdgeMeter meter(image, intrinsics, rod, inks, pose, set);
-  meter.rings();
-  meter.outlines();
+  meter.rings(range);
+  meter.outlines(range);
 }
 
 }  // namespace onestroke

@@ -22,8 +22,12 @@ struct EdgeSet {
   int expected_rings = 0;  ///< Ring-edge points that the pose says are in sight.
 };
 
+struct CellRange {
+  int first, last;  ///< Both included.
+};
+
 /// Predicts every edge point in sight under a pose and looks for it in the picture.
 void measure_edges(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, const Inks& inks,
-                   const EigenPose& pose, EdgeSet& set);
+                   const EigenPose& pose, CellRange range, EdgeSet& set);
 
 }  // namespace onestroke

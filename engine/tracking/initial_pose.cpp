@@ -4,6 +4,7 @@
 #include <opencv2/core/eigen.hpp>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +20,8 @@ Vec3d seen_centre(const RodModel& rod, int cell, const Vec3d& eye) {
 
 }  // namespace
 
-bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, PoseGuess& guess) {
+bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, bool one_arm,
+               PoseGuess& guess) {
   using Vector6d = Eigen::Matrix<double, 6, 1>;
   using Matrix6d = Eigen::Matrix<double, 6, 6>;
   for (int i = 0; i < 10; ++i) {
@@ -47,6 +49,7 @@ bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellP
     }
     guess.rms = std::sqrt(square / static_cast<double>(points.size()));
     hessian.diagonal() *= 1 + 1e-6;
+    if (one_arm) fix_roll(guess.pose.R * rod.middle(points.front().cell).tangent, hessian);
     Vector6d delta = hessian.ldlt().solve(gradient);
     if (!delta.allFinite()) return false;
     const double turn = delta.head<3>().norm(), shift = delta.tail<3>().norm() / guess.pose.t.norm();
@@ -56,6 +59,30 @@ bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellP
     if (turn < 1e-4 && shift < 1e-4) break;
   }
   return true;
+}
+
+std::vector<PoseGuess> poses_from_row(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                               [](const CellPoint& a, const CellPoint& b) { return a.cell < b.cell; });
+  const Vec3d a = rod.middle(low->cell).centre, b = rod.middle(high->cell).centre;
+  const Vec2d across = high->pixel - low->pixel, middle = (low->pixel + high->pixel) / 2;
+  const Vec3d axis = (b - a).normalized();
+  const Vec2d ray = unproject(k, middle);
+  std::vector<PoseGuess> guesses;
+  for (const double tilt : {-0.96, -0.35, 0.35, 0.96}) {
+    const Vec2d d = across.normalized();
+    const Vec3d direction(std::cos(tilt) * d.x(), std::cos(tilt) * d.y(), std::sin(tilt));
+    const double depth = k.fx * std::cos(tilt) * (b - a).norm() / std::max(across.norm(), 1e-6);
+    PoseGuess g;
+    g.pose.R = Eigen::Quaterniond::FromTwoVectors(axis, direction).toRotationMatrix();
+    g.pose.t = depth * Vec3d(ray.x(), ray.y(), 1) - g.pose.R * ((a + b) / 2);
+    if (!fit_cells(k, rod, points, true, g)) continue;
+    const bool known = std::any_of(guesses.begin(), guesses.end(),
+                                   [&](const PoseGuess& o) { return (o.pose.R * axis).dot(g.pose.R * axis) > 0.998; });
+    if (!known) guesses.push_back(g);
+  }
+  std::sort(guesses.begin(), guesses.end(), [](const PoseGuess& x, const PoseGuess& y) { return x.rms < y.rms; });
+  return guesses;
 }
 
 std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod,
@@ -84,7 +111,7 @@ std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod
     cv::cv2eigen(rotation, g.pose.R);
     cv::cv2eigen(tvecs[i], g.pose.t);
     if (!g.pose.R.allFinite() || !g.pose.t.allFinite() || g.pose.t.z() < 10) continue;
-    if (fit_cells(k, rod, points, g)) guesses.push_back(g);
+    if (fit_cells(k, rod, points, false, g)) guesses.push_back(g);
   }
   std::sort(guesses.begin(), guesses.end(), [](const PoseGuess& a, const PoseGuess& b) { return a.rms < b.rms; });
   return guesses;

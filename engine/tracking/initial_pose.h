@@ -22,7 +22,12 @@ struct PoseGuess {
 /// first; empty where the points do not determine a pose.
 std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points);
 
-/// Least squares over gravity centres from a start. False where it diverges.
-bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, PoseGuess& guess);
+/// Poses from cells of one straight arm: place and direction are fitted from several tilts, the roll about the arm is
+/// arbitrary. Best first.
+std::vector<PoseGuess> poses_from_row(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points);
+
+/// Least squares over gravity centres from a start; with one_arm the roll about it stays. False where it diverges.
+bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, bool one_arm,
+               PoseGuess& guess);
 
 }  // namespace onestroke

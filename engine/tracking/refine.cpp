@@ -73,7 +73,7 @@ Refinement refine(const ImageView& image, const Intrinsics& intrinsics, const Ro
   std::vector<double> scratch;
   System sys;
   for (int i = 0; i < options.max_iterations; ++i) {
-    measure_edges(image, intrinsics, rod, inks, result.pose, set);
+    measure_edges(image, intrinsics, rod, inks, result.pose, {options.first_cell, options.last_cell}, set);
     // Wide at first, so that the far arm is drawn in; then as wide as the residuals say.
     const double floor = i < 2 ? 3.0 : (i < 4 ? 1.5 : 0.5);
     const double ring_scale = std::max(floor, 4.7 * spread(set, true, scratch));
@@ -82,6 +82,7 @@ Refinement refine(const ImageView& image, const Intrinsics& intrinsics, const Ro
     if (sys.ring_weight < 6) return result;
     Matrix6d damped = sys.hessian;
     damped.diagonal() += 1e-6 * sys.hessian.diagonal();
+    if (options.one_arm) fix_roll(result.pose.R * rod.middle(options.first_cell).tangent, damped);
     Vector6d delta = damped.ldlt().solve(sys.gradient);
     if (!delta.allFinite()) return result;
     // A step of more than a quarter of a radian or 10 % of the distance is a step off the linear model.

@@ -15,6 +15,10 @@ struct RefineOptions {
   int max_iterations = 12;
   /// Standard deviations of one edge measurement, pixels.
   double ring_sigma = 0.15, outline_sigma = 0.5;
+  /// Only these cells are used.
+  int first_cell = 0, last_cell = max_cells - 1;
+  /// The cells used lie on one straight arm: the roll about it stays as it is.
+  bool one_arm = false;
 };
 
 struct Refinement {

@@ -26,11 +26,11 @@ void segment(const ImageView& image, const SegmentationOptions& options, std::ve
   }
 }
 
-void smooth(const ImageView& image, std::vector<std::uint8_t>& out) {
+void smooth(const ImageView& image, double sigma, std::vector<std::uint8_t>& out) {
   out.resize(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   const cv::Mat source(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.data), image.stride);
   cv::Mat target(image.height, image.width, CV_8UC3, out.data());
-  cv::GaussianBlur(source, target, cv::Size(3, 3), 0);
+  cv::GaussianBlur(source, target, cv::Size(), sigma);
 }
 
 }  // namespace onestroke

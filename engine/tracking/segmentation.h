@@ -25,7 +25,7 @@ struct SegmentationOptions {
 /// leaves shading out. labels is resized to width * height.
 void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels);
 
-/// 3 x 3 binomial smoothing of packed RGB, against sensor noise and JPEG's blocks. out has stride 3 * width.
-void smooth(const ImageView& image, std::vector<std::uint8_t>& out);
+/// Gaussian smoothing of packed RGB (sigma in pixels), against sensor noise. out has stride 3 * width.
+void smooth(const ImageView& image, double sigma, std::vector<std::uint8_t>& out);
 
 }  // namespace onestroke
