@@ -33,8 +33,9 @@ class Shape {
     double radius = 0;
   };
 
-  /// Each throws Error where the numbers make no rod: cells outside 3..64, a pitch, radius or bend not positive (bend
-  /// may be 0), a bend that does not fit, a stroke that overlaps itself, or vertices whose length is not cells * pitch.
+  /// Each throws Error where the numbers make no rod: cells outside 3..64 (an odd number for an angle), a pitch outside
+  /// (0, 1000] mm, a radius below a hundredth of it, a negative bend (0 is a mitre), a bend that does not fit, a stroke
+  /// that overlaps itself, or vertices whose length is not cells * pitch to 0.01 mm.
   static Shape angle(int cells, double pitch, double radius, double bend_radius);
   static Shape stroke(int cells, double pitch, double radius, double bend_radius, std::vector<Vec3> vertices);
   static Shape line(int cells, double pitch, double radius);
@@ -44,6 +45,7 @@ class Shape {
   double pitch() const { return pitch_; }
   double radius() const { return radius_; }
   double bend_radius() const { return bend_radius_; }
+  /// Of every kind: the corners of the straight axes, from tip to tip.
   const std::vector<Vec3>& vertices() const { return vertices_; }
   double length() const { return cells_ * pitch_; }
 
