@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <set>
+#include <string_view>
 
 namespace onestroke {
 
@@ -31,6 +33,35 @@ std::string first_line(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \n");
   if (begin == std::string::npos) return "it is damaged";
   return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+// tinygltf reads nested values by recursion; no real file nests this deep.
+constexpr int deepest = 200;
+
+bool nested_too_deep(std::string_view json) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (quoted && c == '\\') ++i;
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    if (depth > deepest) return true;
+  }
+  return false;
+}
+
+// The JSON of either form; of a .glb it is the first chunk, behind five words, the fourth of which is its length.
+std::string_view json_of(const Bytes& bytes, bool binary) {
+  const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (!binary) return all;
+  constexpr std::size_t words = 5 * sizeof(std::uint32_t);
+  if (all.size() < words) return {};
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 3 * sizeof length, sizeof length);
+  return all.substr(words, length);
 }
 
 // Only files beside the model: tinygltf alone would also look in the working directory and expand shell variables.
@@ -59,6 +90,7 @@ tinygltf::Model parse(const std::filesystem::path& file, Bytes bytes) {
     throw Error(name + ": not a glTF file; give a .glb or .gltf model");
   if (bytes.size() > std::numeric_limits<unsigned>::max())
     throw Error(name + ": larger than 4 GB; use a smaller model");
+  if (nested_too_deep(json_of(bytes, binary))) throw Error(name + ": nested too deep; export the model again");
   const auto size = static_cast<unsigned>(bytes.size());
   bytes.resize(bytes.size() + slack, 0);
 

@@ -61,6 +61,22 @@ TEST_F(BrokenModel, AnOldVersionAndAnUnknownExtensionAreNamed) {
               HasSubstr("KHR_draco_mesh_compression"));
 }
 
+TEST_F(BrokenModel, EndlessNestingIsRefused) {
+  const std::string deep = std::string(2000000, '[');
+  const std::string head = "{\"asset\":{\"version\":\"2.0\",\"extras\":";
+  EXPECT_THAT(complaint(folder_.write("bad.gltf", head + deep)), HasSubstr("nested too deep"));
+  EXPECT_THAT(complaint(folder_.write("bad.gltf", head + deep + std::string(deep.size(), ']') + "}}")),
+              HasSubstr("nested too deep"));
+  EXPECT_THAT(complaint([&](GltfFile& f) {
+                nlohmann::json nested;
+                for (int i = 0; i < 1000; ++i) nested = {nested};
+                f.json["extras"] = nested;
+              }),
+              HasSubstr("nested too deep"));
+  EXPECT_EQ(complaint([](GltfFile& f) { f.json["asset"]["generator"] = std::string(500, '[') + "\"\\"; }),
+            "no complaint");
+}
+
 TEST_F(BrokenModel, NoTrianglesIsAnError) {
   EXPECT_THAT(complaint([](GltfFile& f) { f.primitive()["mode"] = 1; }), HasSubstr("no triangles"));
   EXPECT_THAT(complaint([](GltfFile& f) { f.json["nodes"] = {{{"name", "empty"}}}; }), HasSubstr("no triangles"));

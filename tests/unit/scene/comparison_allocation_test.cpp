@@ -1,0 +1,46 @@
+#include "scene/comparison.h"
+#include "sticks.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<int> allocations{0};
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
+
+namespace onestroke {
+namespace {
+
+TEST(ComparisonAllocation, NoFrameAllocates) {
+  Comparison comparison({{1, "bracket_v1"}, {2, "bracket_v2"}});
+  Stick left{.id = 1, .place = {-100, 0, 400}}, right{.id = 2, .place = {100, 0, 400}};
+  const int before = allocations;
+  for (int ms = 0; ms < 6000; ms += 10) {
+    if (ms == 1000) comparison.toggle();
+    left.place.x = ms > 2000 && ms < 3000 ? 80 : -100;
+    right.state = ms > 4000 ? MarkerState::lost : MarkerState::measured;
+    right.rotation = exp_so3({0, 0.03, 0}) * right.rotation;
+    comparison.update(record_of({left, right}), Time{} + Duration::from_ms(ms));
+  }
+  EXPECT_EQ(allocations, before);
+}
+
+}  // namespace
+}  // namespace onestroke
