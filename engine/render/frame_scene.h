@@ -39,8 +39,8 @@ struct ModelInstance {
   bool occluder = false;
 };
 
-/// Text in the world, turned to the viewer, on a rounded plate. UTF-8; '\n' starts a new line. Characters that the font
-/// lacks show as a box. The text lives until draw() returns.
+/// Text in the world, parallel to the screen, on a rounded plate. UTF-8; '\n' starts a new line. Characters that the
+/// font lacks show as a box. The text lives until draw() returns.
 struct Label {
   std::string_view text{};
   Vec3 position_world{};  ///< Vision axes, mm.
@@ -75,8 +75,8 @@ struct Line {
 struct Light {
   Vec3 to_key_world{-0.45, -0.8, -0.55};
   Color key{2.2F, 2.15F, 2.05F, 1};
-  Color sky{0.46F, 0.5F, 0.56F, 1};
-  Color ground{0.2F, 0.19F, 0.18F, 1};
+  Color sky{0.39F, 0.42F, 0.47F, 1};
+  Color ground{0.15F, 0.14F, 0.13F, 1};
 };
 
 /// Everything that one frame shows. Borrowed for the length of draw().

@@ -29,7 +29,7 @@ TextSize plate_size(std::string_view text) {
 
 /// Where labels are seen from: graphics axes, metres.
 struct Overlay::Frame {
-  glm::vec3 eye, forward, up;
+  glm::vec3 eye, forward, right, down;
   float focal_px = 1;
 };
 
@@ -44,7 +44,8 @@ void Overlay::build(const FrameScene& scene, std::span<const View> views) {
   const View& first = views.front();
   const Frame frame{.eye = point_to_graphics(middle),
                     .forward = direction_to_graphics(rotate(first.T_world_view.rotation, {0, 0, 1})),
-                    .up = direction_to_graphics(rotate(first.T_world_view.rotation, {0, -1, 0})),
+                    .right = direction_to_graphics(rotate(first.T_world_view.rotation, {1, 0, 0})),
+                    .down = direction_to_graphics(rotate(first.T_world_view.rotation, {0, 1, 0})),
                     .focal_px = static_cast<float>(first.viewport.height / (first.fov.up - first.fov.down))};
 
   for (const auto& label : scene.labels)
@@ -65,14 +66,13 @@ void Overlay::build(const FrameScene& scene, std::span<const View> views) {
 
 void Overlay::add_label(const Label& label, const Frame& frame) {
   const glm::vec3 at = point_to_graphics(label.position_world);
-  const glm::vec3 sight = at - frame.eye;
-  const glm::vec3 right = glm::cross(sight, frame.up);
-  const float depth = glm::dot(sight, frame.forward);
-  if (depth <= 0 || glm::length(right) < 1e-6F) return;
+  const float depth = glm::dot(at - frame.eye, frame.forward);
+  if (depth <= 0) return;
   const float em = label.height_mm > 0 ? static_cast<float>(label.height_mm * metres_per_millimetre)
                                        : static_cast<float>(label.height_px) * depth / frame.focal_px;
   const TextSize size = plate_size(label.text);
-  const glm::vec3 x = glm::normalize(right) * em, down = glm::normalize(glm::cross(sight, right)) * em;
+  // Parallel to the screen rather than square to the line of sight: lines of text then stay level everywhere.
+  const glm::vec3 x = frame.right * em, down = frame.down * em;
   const glm::vec3 corner =
       at - static_cast<float>(label.pivot_x) * size.width * x - static_cast<float>(label.pivot_y) * size.height * down;
   const gpu::QuadData plate{.origin = {corner, 0.0F},

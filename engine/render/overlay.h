@@ -12,7 +12,7 @@ namespace onestroke {
 /// Turns labels, screen texts and lines into what the shaders draw. Keeps its memory from frame to frame.
 class Overlay {
  public:
-  /// Labels turn to the middle of the views, which has the first view's orientation and pixels.
+  /// Labels face the middle of the views, which has the first view's orientation and pixels.
   void build(const FrameScene& scene, std::span<const View> views);
 
   /// In drawing order: labels that models hide, then those on top, then screen texts.

@@ -1,4 +1,5 @@
 // Models over the camera's picture.
+#include "core/error.h"
 #include "golden/solids.h"
 #include "golden/stage.h"
 
@@ -27,6 +28,86 @@ TEST_F(Models, AreLit) {
   const std::array instances{
       ModelInstance{.model = renderer->load(model), .world_graphics_from_model = placed(0, 0, -0.35F, -0.7F, 0.3F)}};
   expect_golden("model_lit", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, HideEachOtherByDepthAndNotByOrder) {
+  // A far box given last, and a ring through a box, which no order could get right.
+  const auto ring = renderer->load(torus(0.05F, 0.015F, paint(0.8F, 0.2F, 0.15F)));
+  const auto block = renderer->load(box({0.03F, 0.03F, 0.03F}, paint(0.2F, 0.45F, 0.8F)));
+  const std::array instances{
+      ModelInstance{.model = ring, .world_graphics_from_model = placed(-0.03F, 0, -0.4F, 0.9F, 0.2F)},
+      ModelInstance{.model = block, .world_graphics_from_model = placed(0.02F, 0, -0.4F, 0.5F, 0.6F)},
+      ModelInstance{.model = block, .world_graphics_from_model = placed(-0.05F, 0.02F, -0.6F, 0.2F, 0.4F, 2)}};
+  expect_golden("models_depth", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, AreHiddenByOccluders) {
+  const auto ring = renderer->load(torus(0.07F, 0.025F, brass()));
+  const auto stick = renderer->load(box({0.012F, 0.15F, 0.012F}, paint(1, 1, 1)));
+  const std::array instances{
+      ModelInstance{.model = ring, .world_graphics_from_model = placed(0, 0, -0.4F, -0.4F, 0.2F)},
+      ModelInstance{.model = stick, .world_graphics_from_model = placed(0.05F, 0, -0.34F, 0, 0.5F), .occluder = true},
+      ModelInstance{.model = stick, .world_graphics_from_model = placed(-0.06F, 0, -0.46F, 0, 0.5F), .occluder = true}};
+  expect_golden("model_occluder", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, LetTheWorldThroughButNotTheirOwnBack) {
+  ModelMaterial glass = paint(0.3F, 0.8F, 0.9F);
+  glass.base_color[3] = 0.45F;
+  glass.alpha_mode = ModelMaterial::AlphaMode::blend;
+  const auto solid = renderer->load(box({0.03F, 0.03F, 0.03F}, paint(0.8F, 0.25F, 0.15F)));
+  const auto pane = renderer->load(sheet(0.05F, glass));
+  const auto ring = renderer->load(torus(0.05F, 0.02F, brass()));
+  // Panes given front to back, so that the order has to be found; a faded ring on the right.
+  const std::array instances{
+      ModelInstance{.model = pane, .world_graphics_from_model = placed(-0.05F, -0.02F, -0.3F, 0, 0)},
+      ModelInstance{.model = pane, .world_graphics_from_model = placed(-0.09F, 0.02F, -0.36F, 0, 0)},
+      ModelInstance{.model = solid, .world_graphics_from_model = placed(-0.08F, 0, -0.45F, 0.5F, 0.6F)},
+      ModelInstance{
+          .model = ring, .world_graphics_from_model = placed(0.08F, 0, -0.38F, 1.1F, 0.3F), .tint = {1, 1, 1, 0.5F}}};
+  expect_golden("model_blend", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, AreCutByAPlane) {
+  const auto ring = renderer->load(torus(0.07F, 0.028F, paint(0.85F, 0.8F, 0.7F)));
+  const std::array instances{ModelInstance{.model = ring,
+                                           .world_graphics_from_model = placed(0, 0, -0.38F, -0.5F, 0),
+                                           .clip_plane = ClipPlane{.a = -0.4F, .b = 0.5F, .c = -0.77F, .d = -0.29F}}};
+  expect_golden("model_clip", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, KeepTheirOutsideWhenMirrored) {
+  // A mirrored and a plain torus are the same body, so light must find them alike.
+  const auto ring = renderer->load(torus(0.05F, 0.02F, paint(0.8F, 0.8F, 0.8F)));
+  const std::array plain{ModelInstance{.model = ring, .world_graphics_from_model = placed(0, 0, -0.35F, 0, 0)}};
+  auto mirrored = plain;
+  mirrored[0].world_graphics_from_model[0] *= -1;
+  const auto result = compare(draw({.instances = plain}), draw({.instances = mirrored}), {.level = 4, .pixels = 200});
+  EXPECT_TRUE(result.same) << result.words;
+}
+
+TEST_F(Models, DisappearWhenUnloaded) {
+  const auto block = renderer->load(box({0.03F, 0.03F, 0.03F}, paint(0.2F, 0.45F, 0.8F)));
+  const std::array instances{ModelInstance{.model = block, .world_graphics_from_model = placed(0, 0, -0.4F, 0, 0)}};
+  const Picture empty = draw({}), with = draw({.instances = instances});
+  EXPECT_FALSE(compare(empty, with, {}).same);
+  renderer->unload(block);
+  EXPECT_TRUE(compare(empty, draw({.instances = instances}), {.level = 0}).same);
+  const auto again = renderer->load(box({0.03F, 0.03F, 0.03F}, paint(0.2F, 0.45F, 0.8F)));
+  EXPECT_EQ(again, block);
+  EXPECT_TRUE(compare(with, draw({.instances = instances}), {.level = 0}).same);
+}
+
+TEST_F(Models, SayWhatIsWrongWithThem) {
+  Model model = box({1, 1, 1}, paint(1, 1, 1));
+  model.indices[5] = 1000;
+  EXPECT_THROW(renderer->load(model), Error);
+  model = box({1, 1, 1}, paint(1, 1, 1));
+  model.materials[0].normal_texture = 2;
+  EXPECT_THROW(renderer->load(model), Error);
+  model = box({1, 1, 1}, paint(1, 1, 1));
+  model.parts[0].index_count += 3;
+  EXPECT_THROW(renderer->load(model), Error);
 }
 
 }  // namespace

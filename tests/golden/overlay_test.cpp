@@ -1,0 +1,86 @@
+// Labels, leader lines and screen texts, alone and beside models; both eyes.
+#include "golden/solids.h"
+#include "golden/stage.h"
+
+#include <cmath>
+
+namespace onestroke::golden {
+namespace {
+
+using Overlays = Stage;
+using OverlaysStereo = StereoStage;
+
+const ModelMaterial red{.base_color = {0.8F, 0.2F, 0.15F, 1}, .metallic = 0, .roughness = 0.5F};
+const ModelMaterial blue{.base_color = {0.2F, 0.45F, 0.8F, 1}, .metallic = 0, .roughness = 0.5F};
+
+/// Two models side by side with their names, as they are compared.
+struct Pair {
+  std::array<ModelInstance, 2> models;
+  std::array<Label, 2> labels{Label{.text = "bracket A\n72.0 × 31.5 mm", .position_world = {-70, -75, 400}},
+                              Label{.text = "bracket B\n72.0 × 32.1 mm", .position_world = {70, -75, 400}}};
+  std::array<Line, 2> lines{Line{.from_world = {-70, -62, 400}, .to_world = {-60, -20, 380}, .color = {1, 1, 1, 0.9F}},
+                            Line{.from_world = {70, -62, 400}, .to_world = {60, -20, 380}, .color = {1, 1, 1, 0.9F}}};
+
+  explicit Pair(Renderer& renderer) {
+    models[0] = {.model = renderer.load(torus(0.04F, 0.016F, red)),
+                 .world_graphics_from_model = placed(-0.06F, 0, -0.4F, -0.6F, 0.3F)};
+    models[1] = {.model = renderer.load(box({0.03F, 0.03F, 0.02F}, blue)),
+                 .world_graphics_from_model = placed(0.06F, 0, -0.4F, 0.4F, -0.6F)};
+  }
+  FrameScene scene() const { return {.instances = models, .lines = lines, .labels = labels}; }
+};
+
+TEST_F(Overlays, NameTheModels) {
+  const Chart chart(width, height, PixelFormat::rgb8, fov);
+  renderer->set_picture(chart.picture);
+  const Pair pair(*renderer);
+  const std::array hud{
+      HudText{.text = "l: light   s: shape   q: quit", .x = 10, .y = 350, .height_px = 16, .pivot_y = 1},
+      HudText{.text = "29.8 fps", .x = 470, .y = 10, .height_px = 13, .pivot_x = 1}};
+  FrameScene scene = pair.scene();
+  scene.hud = hud;
+  expect_golden("labels", draw(scene), {.level = 3, .pixels = 60});
+}
+
+TEST_F(OverlaysStereo, GiveEachEyeItsView) {
+  const Chart chart(width, height, PixelFormat::rgb8, fov);
+  renderer->set_picture(chart.picture);
+  const Pair pair(*renderer);
+  expect_golden("stereo", draw(pair.scene()), {.level = 3, .pixels = 120});
+}
+
+TEST_F(Overlays, SetTextOfAllSizesCrisply) {
+  const std::array labels{
+      Label{.text = "20 mm: Ångström Øß Žluťoučký µm ° ± → Δ", .position_world = {0, -120, 450}, .height_mm = 14},
+      Label{.text = "behind the box", .position_world = {-70, 30, 500}, .height_mm = 20},
+      Label{.text = "in front", .position_world = {60, 70, 350}, .height_mm = 12, .color = {1, 0.8F, 0.2F, 1}},
+      Label{.text = "on top", .position_world = {60, 20, 600}, .height_px = 30, .on_top = true},
+      Label{.text = "no plate \xFF \xE4\xBD\xA0",
+            .position_world = {90, 110, 400},
+            .height_px = 20,
+            .plate = {0, 0, 0, 0}}};
+  const std::array hud{HudText{.text = "9 px: the quick brown fox", .x = 8, .y = 280, .height_px = 9},
+                       HudText{.text = "12 px: the quick brown fox", .x = 8, .y = 300, .height_px = 12},
+                       HudText{.text = "17 px: the quick brown fox", .x = 8, .y = 325, .height_px = 17}};
+  const std::array instances{ModelInstance{.model = renderer->load(box({0.04F, 0.05F, 0.02F}, blue)),
+                                           .world_graphics_from_model = placed(0, -0.02F, -0.42F, 0.2F, 0.3F)}};
+  expect_golden("text",
+                draw({.background = {0.05F, 0.1F, 0.08F, 1}, .instances = instances, .labels = labels, .hud = hud}),
+                {.level = 3, .pixels = 60});
+}
+
+TEST_F(Overlays, DrawLinesOfEvenWidthAndCutThemAtTheEye) {
+  std::array<Line, 10> lines;
+  for (std::size_t i = 0; i < 8; ++i)
+    lines[i] = {
+        .from_world = {0, 0, 400},
+        .to_world = {120 * std::cos(0.42 * static_cast<double>(i)), 110 * std::sin(0.42 * static_cast<double>(i)), 400},
+        .width_px = 0.5 + static_cast<double>(i),
+        .color = {1, 0.7F, 0.2F, 1}};
+  lines[8] = {.from_world = {-150, 20, 600}, .to_world = {-20, 40, -300}, .width_px = 5, .color = {0.2F, 0.8F, 1, 1}};
+  lines[9] = {.from_world = {-100, 0, -50}, .to_world = {100, 0, -50}, .width_px = 5, .color = {1, 0, 0, 1}};
+  expect_golden("lines", draw({.lines = lines}), {.level = 3, .pixels = 60});
+}
+
+}  // namespace
+}  // namespace onestroke::golden
