@@ -56,7 +56,7 @@ CLI::Validator one_of(std::vector<Form> forms, const std::string& spelled) {
   });
 }
 
-void add_camera(CLI::App& command, CameraOptions& options) {
+void add_camera(CLI::App& command, SourceOptions& options) {
   const auto camera =
       one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
              "synthetic[:KEY=VALUE,...], libcamera[:ID], file:VIDEO or folder:DIR");
@@ -168,7 +168,7 @@ struct Program {
   throw UsageError(what + "; see `" + program.command_path() + " --help`");
 }
 
-void check_lens_known(const Program& program, const CameraOptions& options) {
+void check_lens_known(const Program& program, const SourceOptions& options) {
   if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
   refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
 }

@@ -9,7 +9,7 @@
 namespace onestroke {
 
 /// Where pictures come from and what is known of the lens; the camera factory reads `camera` further.
-struct CameraOptions {
+struct SourceOptions {
   std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], libcamera[:ID], file:VIDEO or folder:DIR
   std::optional<double> fov_deg;      ///< Horizontal, degrees; never together with a calibration.
   std::filesystem::path calibration;  ///< OpenCV YAML; empty for none.
@@ -19,7 +19,7 @@ struct CameraOptions {
 enum class PictureTime { exposure, fresh };
 
 struct RunOptions {
-  CameraOptions source;
+  SourceOptions source;
   std::string
       display;  ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
   std::filesystem::path catalog;  ///< Empty for the demo's own.
@@ -29,7 +29,7 @@ struct RunOptions {
 };
 
 struct TrackOptions {
-  CameraOptions source;
+  SourceOptions source;
   std::filesystem::path catalog;
   std::filesystem::path output;   ///< JSON lines; empty for standard output.
   std::filesystem::path overlay;  ///< Folder for pictures with the poses drawn in; empty for none.

@@ -2,10 +2,12 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -54,13 +56,14 @@ class SpscQueue {
     return true;
   }
 
-  /// Consumer. Calls take(T&) for everything that was there when the call began, oldest first, and returns how many.
+  /// Consumer. Calls take(T&) for everything that was there when the call began, `limit` at most, oldest first, and
+  /// returns how many.
   /// Each slot is free again as soon as its call returns; what owns something is destroyed there unless take moved it
   /// away.
   template <typename Take>
-  std::size_t drain(Take&& take) {
+  std::size_t drain(Take&& take, std::size_t limit = std::numeric_limits<std::size_t>::max()) {
     const std::uint64_t begin = read_.load(std::memory_order_relaxed);
-    const std::uint64_t end = written_.load(std::memory_order_acquire);
+    const std::uint64_t end = begin + std::min<std::uint64_t>(limit, written_.load(std::memory_order_acquire) - begin);
     for (std::uint64_t at = begin; at != end; ++at) {
       T& slot = slots_[at & mask_];
       take(slot);

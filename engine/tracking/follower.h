@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/frame_record.h"
+#include "tracking/detector.h"
+#include "tracking/tracker.h"
+
+namespace onestroke {
+
+/// What is remembered of one marker from picture to picture. World axes, so that the head's motion is not the marker's.
+class Follower {
+ public:
+  enum class Phase { unknown, followed, lost };
+
+  Phase phase() const { return phase_; }
+  bool ever_seen() const { return phase_ != Phase::unknown; }
+  const Inks& inks() const { return inks_; }
+
+  /// T_world_marker at a time, at constant velocity from the last measurement.
+  Pose predict(Time t) const;
+  /// Takes a measurement in.
+  void measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance);
+  /// The marker was not found at a time: followed becomes lost, and lost becomes unknown.
+  void missed(Time t, const TrackerOptions& options);
+  void forget() { *this = {}; }
+
+  Velocity velocity() const { return velocity_; }
+  /// Covariance of the prediction: the last measurement's, grown with the time since.
+  std::array<double, 36> predicted_covariance(Time t) const;
+
+ private:
+  Phase phase_ = Phase::unknown;
+  Time last_;
+  Pose T_world_marker_;
+  Velocity velocity_;  // Of T_world_marker: rad/s about world axes, mm/s.
+  Inks inks_;
+  std::array<double, 36> covariance_{};
+};
+
+}  // namespace onestroke

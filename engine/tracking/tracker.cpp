@@ -1,0 +1,162 @@
+#include "tracking/tracker.h"
+
+#include "tracking/detector.h"
+#include "tracking/follower.h"
+#include "tracking/rgb_image.h"
+#include "tracking/segmentation.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace onestroke {
+namespace {
+
+constexpr double soft_sigma = 1.0;
+
+std::array<double, 36> flatten(const Matrix6d& m) {
+  std::array<double, 36> a;
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c < 6; ++c) a[static_cast<std::size_t>(6 * r + c)] = m(r, c);
+  return a;
+}
+
+// World rates of T_world_marker seen from a camera that stands still at the exposure: the same rates in camera axes.
+Velocity in_camera(const Velocity& v, const Pose& T_world_camera) {
+  const Quat to_camera = T_world_camera.rotation.conjugate();
+  return {rotate(to_camera, v.angular), rotate(to_camera, v.linear)};
+}
+
+}  // namespace
+
+class Tracker::Impl {
+ public:
+  Impl(Catalog catalog, const TrackerOptions& options)
+      : catalog_(std::move(catalog)), options_(options), detector_(catalog_), followers_(catalog_.markers.size()) {}
+
+  void process(const Picture& picture, FrameRecord& record) {
+    const Time begin = Time::now();
+    start(picture, record);
+    const Levels levels = levels_of(picture);
+    if (!options_.independent) follow(picture, levels);
+    if (search_due()) {
+      detector_.detect(levels, picture.intrinsics, found_, detections_);
+      for (const Detection& d : detections_) take(picture, d);
+    }
+    report(picture, record);
+    record.cost = Time::now() - begin;
+  }
+
+  const Catalog& catalog() const { return catalog_; }
+
+ private:
+  void start(const Picture& picture, FrameRecord& record) {
+    time_ = picture.exposure.middle();
+    if (options_.independent || time_ < last_time_)
+      for (Follower& f : followers_) f.forget();
+    last_time_ = time_;
+    record.sequence = picture.sequence;
+    record.time = time_;
+    record.T_world_camera = picture.T_world_camera;
+    record.marker_count = 0;
+    found_.assign(followers_.size(), false);
+    measured_.clear();
+  }
+
+  Levels levels_of(const Picture& picture) {
+    const ImageView sharp = rgb_view(picture, rgb_);
+    smooth(sharp, soft_sigma, soft_);
+    return {sharp, {soft_.data(), sharp.width, sharp.height, 3 * static_cast<std::size_t>(sharp.width)}};
+  }
+
+  void take(const Picture& picture, const Detection& d) {
+    const auto m = static_cast<std::size_t>(d.marker);
+    found_[m] = true;
+    measured_.push_back(d);
+    followers_[m].measured(time_, picture.T_world_camera * from_eigen(d.refinement.pose), d.inks,
+                           flatten(d.refinement.covariance));
+  }
+
+  // Looks for each marker where it must be: predicted by its velocity, or where it last was if it stopped.
+  void follow(const Picture& picture, const Levels& levels) {
+    const Pose T_camera_world = inverse(picture.T_world_camera);
+    for (std::size_t m = 0; m < followers_.size(); ++m) {
+      const Follower& f = followers_[m];
+      if (f.phase() != Follower::Phase::followed) continue;
+      const EigenPose start = to_eigen(T_camera_world * f.predict(time_));
+      Detection d;
+      if (detector_.prove(levels, picture.intrinsics, static_cast<int>(m), start, f.inks(), d)) take(picture, d);
+    }
+  }
+
+  // From cold when nothing is known, when a marker in hand was missed, and now and then for newcomers.
+  bool search_due() {
+    const bool missed = std::any_of(followers_.begin(), followers_.end(), [&](const Follower& f) {
+      return f.ever_seen() && !found_[static_cast<std::size_t>(&f - followers_.data())];
+    });
+    const bool any = std::any_of(found_.begin(), found_.end(), [](bool b) { return b; });
+    if (options_.independent || missed || !any || ++since_search_ >= options_.search_every) {
+      since_search_ = 0;
+      return true;
+    }
+    return false;
+  }
+
+  MarkerObservation& add(FrameRecord& record, std::size_t marker) const {
+    MarkerObservation& o = record.markers[static_cast<std::size_t>(record.marker_count++)];
+    const MarkerSpec& spec = catalog_.markers[marker];
+    o.id = spec.id;
+    o.name.fill(0);
+    std::memcpy(o.name.data(), spec.name.data(), std::min(spec.name.size(), o.name.size() - 1));
+    o.velocity = in_camera(followers_[marker].velocity(), record.T_world_camera);
+    return o;
+  }
+
+  void report(const Picture& picture, FrameRecord& record) {
+    for (const Detection& d : measured_) {
+      if (record.marker_count == max_markers_per_frame) return;
+      MarkerObservation& o = add(record, static_cast<std::size_t>(d.marker));
+      o.state = MarkerState::measured;
+      o.T_camera_marker = from_eigen(d.refinement.pose);
+      o.covariance = flatten(d.refinement.covariance);
+      o.cells_seen = std::min(static_cast<int>(d.appearance.cells.size()), max_cells_per_marker);
+      std::copy_n(d.appearance.cells.begin(), o.cells_seen, o.cells.begin());
+    }
+    const Pose T_camera_world = inverse(picture.T_world_camera);
+    for (std::size_t m = 0; m < followers_.size(); ++m) {
+      Follower& f = followers_[m];
+      if (found_[m]) continue;
+      f.missed(time_, options_);
+      if (!f.ever_seen() || record.marker_count == max_markers_per_frame) continue;
+      MarkerObservation& o = add(record, m);
+      o.state = f.phase() == Follower::Phase::followed ? MarkerState::predicted : MarkerState::lost;
+      o.T_camera_marker = T_camera_world * f.predict(time_);
+      o.covariance = f.predicted_covariance(time_);
+      o.cells_seen = 0;
+    }
+  }
+
+  Catalog catalog_;
+  TrackerOptions options_;
+  Detector detector_;
+  std::vector<Follower> followers_;
+  std::vector<bool> found_;
+  std::vector<Detection> detections_, measured_;
+  std::vector<std::uint8_t> rgb_, soft_;
+  Time time_, last_time_;
+  int since_search_ = 0;
+};
+
+Tracker::Tracker(Catalog catalog, const TrackerOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(catalog), options)) {}
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+void Tracker::process(const Picture& picture, FrameRecord& record) {
+  impl_->process(picture, record);
+}
+const Catalog& Tracker::catalog() const {
+  return impl_->catalog();
+}
+
+}  // namespace onestroke

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/frame_record.h"
+#include "core/picture.h"
+#include "marker/catalog.h"
+
+#include <memory>
+
+namespace onestroke {
+
+struct TrackerOptions {
+  /// Each picture alone: no memory, nothing predicted. For sets of unrelated pictures.
+  bool independent = false;
+  /// How long a marker that is not found is carried on at constant velocity (`predicted`), and how long after that it
+  /// is still reported, as `lost`.
+  Duration predict_for = Duration::from_ms(250), report_lost_for = Duration::from_ms(750);
+  /// A picture is searched as a whole at least this often, in pictures, for markers that come into sight.
+  int search_every = 4;
+};
+
+/// Picture in, marker poses out. Used by one thread at a time.
+class Tracker {
+ public:
+  explicit Tracker(Catalog catalog, const TrackerOptions& options = {});
+  ~Tracker();
+  Tracker(Tracker&&) noexcept;
+  Tracker& operator=(Tracker&&) noexcept;
+
+  /// Finds every marker of the catalogue in the picture and fills the whole record. Markers beyond
+  /// max_markers_per_frame are left out, the worst first. Pictures come in the order of their times; a picture older
+  /// than the last starts afresh.
+  void process(const Picture& picture, FrameRecord& record);
+  const Catalog& catalog() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace onestroke
