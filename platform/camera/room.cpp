@@ -67,7 +67,7 @@ void Room::soften(std::vector<float>& light, double focal_px) {
   constexpr double hands = 450, far = 2400, aperture = 2.4;  // mm
   const double far_blur = focal_px * aperture * (1 / hands - 1 / far) / 2;
   std::vector<float> scratch;
-  blur(light, scratch, width_, height_, 0.7);
+  blur(light, scratch, width_, height_, 0.9);
   std::vector<float> blurred(light);
   blur(blurred, scratch, width_, height_, std::max(0.5, far_blur));
   texels_.resize(light.size());

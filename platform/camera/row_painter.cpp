@@ -39,6 +39,9 @@ void RowPainter::begin(const SyntheticFrame& frame, const FramePlan& plan) {
   frame_ = &frame;
   plan_ = &plan;
   placed_at_ = -1;
+  bent_ = frame.intrinsics.distorted();
+  per_focal_x_ = 1 / frame.intrinsics.fx;
+  per_focal_y_ = 1 / frame.intrinsics.fy;
   rods_.resize(std::max(rods_.size(), frame.markers.size()));
   markers_.resize(frame.markers.size());
   fingers_.resize(frame.fingers.size());
@@ -46,6 +49,13 @@ void RowPainter::begin(const SyntheticFrame& frame, const FramePlan& plan) {
   active_.reserve(plan.coverage.things());
   sample_.resize(4 * static_cast<std::size_t>(frame.width));
   hits_.assign(frame.markers.size() * max_cells, 0);
+}
+
+Vec3 RowPainter::direction(double u, double v) const {
+  const Intrinsics& k = frame_->intrinsics;
+  if (!bent_) return {(u - k.cx) * per_focal_x_, (v - k.cy) * per_focal_y_, 1};
+  const Point2 p = undistort(k, {u, v});
+  return {p.x, p.y, 1};
 }
 
 RowPainter::Placed RowPainter::locate(const PosePath& path, double u) const {
@@ -107,8 +117,7 @@ void RowPainter::background(int row, float* out) const {
   }
   constexpr std::size_t stride = 16;  // pixels between exact directions; between them the room is straight enough
   const auto place_of = [&](std::size_t x) {
-    const Point2 p = undistort(frame_->intrinsics, {static_cast<double>(x) + 0.5, row + 0.5});
-    return frame_->room->place(apply(R_world_camera_, {p.x, p.y, 1}));
+    return frame_->room->place(apply(R_world_camera_, direction(static_cast<double>(x) + 0.5, row + 0.5)));
   };
   Room::Place from = place_of(0);
   for (std::size_t x = 0; x < width; x += stride) {
@@ -153,18 +162,28 @@ void RowPainter::trace_row(int row, int k, float* out) {
     }
     float* const pixel = out + 4 * static_cast<std::size_t>(x);
     const Linear behind{pixel[0], pixel[1], pixel[2]};
-    int rays = 0;
-    for (int j = 0; j < side; ++j) {
-      for (int i = 0; i < side; ++i) {
-        const Point2 p = undistort(frame_->intrinsics, {x + (i + shift) / side, row + (j + shift) / side});
-        rays_[static_cast<std::size_t>(rays++)] = trace({p.x, p.y, 1}, x);
-      }
-    }
+    const int rays = trace_pixel(x, row, side, shift);
     const Linear mean = mean_light(std::span(rays_).first(static_cast<std::size_t>(rays)), behind);
     pixel[0] = mean.r;
     pixel[1] = mean.g;
     pixel[2] = mean.b;
   }
+}
+
+int RowPainter::trace_pixel(int x, int y, int side, double shift) {
+  const auto cast = [&](int i, int j) { return trace(direction(x + (i + shift) / side, y + (j + shift) / side), x); };
+  int rays = 0;
+  const bool rods = std::any_of(active_.begin(), active_.end(),
+                                [&](const Thing& t) { return !t.finger && x >= t.span.first && x <= t.span.last; });
+  if (!rods && side > 1) {  // inside a finger two opposite corners say all
+    rays_[0] = cast(0, 0);
+    rays_[1] = cast(side - 1, side - 1);
+    if (rays_[0].thing == rays_[1].thing) return 2;
+  }
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) rays_[static_cast<std::size_t>(rays++)] = cast(i, j);
+  }
+  return rays;
 }
 
 Linear RowPainter::mean_light(std::span<const Ray> rays, Linear behind) {

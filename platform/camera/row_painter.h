@@ -52,6 +52,10 @@ class RowPainter {
   void background(int row, float* out) const;
   void things_of_row(int row);
   void trace_row(int row, int k, float* out);
+  /// Towards a point of the picture, z = 1.
+  Vec3 direction(double u, double v) const;
+  /// Fills rays_ and returns how many; side * side of them wherever a rod may be.
+  int trace_pixel(int x, int y, int side, double shift);
   Ray trace(Vec3 direction, int column) const;
   Linear mean_light(std::span<const Ray> rays, Linear behind);
   Linear rod_light(const Ray& ray);
@@ -61,6 +65,8 @@ class RowPainter {
   const SyntheticFrame* frame_ = nullptr;
   const FramePlan* plan_ = nullptr;
   double placed_at_ = -1;
+  bool bent_ = false;
+  double per_focal_x_ = 0, per_focal_y_ = 0;
   Mat3 R_world_camera_{};
   std::vector<PlacedRod> rods_;
   std::vector<Placed> markers_, fingers_;

@@ -65,13 +65,20 @@ Room::Extent seen(const SyntheticOptions& options, const Intrinsics& k) {
   return {std::min(across, whole.half_turn), std::min(std::tan(std::min(down, 1.4)), whole.half_height)};
 }
 
+Room make_room(const SyntheticOptions& options, const Intrinsics& k) {
+  constexpr double most_texels = 2.2e6;
+  const Room::Extent extent = seen(options, k);
+  const double finest = std::sqrt(most_texels / (4 * extent.half_turn * extent.half_height));
+  return Room(std::min(k.fx, finest), options.seed, extent);
+}
+
 class SyntheticCamera : public Camera {
  public:
   SyntheticCamera(const SyntheticOptions& options, const Catalog& catalog, const Intrinsics& intrinsics)
       : options_(options),
         rods_(make_rods(options, catalog)),
         script_(options, pointers(rods_)),
-        room_(std::min(intrinsics.fx, finest_room), options.seed, seen(options, intrinsics)),
+        room_(make_room(options, intrinsics)),
         renderer_(options.threads),
         pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
     frame_.intrinsics = intrinsics;
@@ -126,8 +133,6 @@ class SyntheticCamera : public Camera {
   }
 
  private:
-  static constexpr double finest_room = 700;  // texels per radian: what is out of focus needs no more
-
   Duration since_start(std::uint64_t index) const {
     return Duration::from_seconds(static_cast<double>(index) / options_.fps);
   }
