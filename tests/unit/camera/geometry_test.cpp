@@ -2,6 +2,7 @@
 
 #include "scene_fixture.h"
 
+#include <functional>
 #include <optional>
 
 namespace onestroke::test {
@@ -26,11 +27,11 @@ CentrelinePoint sharp_angle(double s) {
   return s < 72 ? CentrelinePoint{{0, s - 72, 0}, {0, 1, 0}} : CentrelinePoint{{s - 72, 0, 0}, {1, 0, 0}};
 }
 
-using Centreline = CentrelinePoint (*)(double);
+using Centreline = std::function<CentrelinePoint(double)>;
 
 /// Nothing of the rod lies between the camera and a point of its surface, by sampling the line of sight. Points that a
 /// mitre swallows, inside the other arm, are hidden too.
-bool unhidden(const Pose& pose, Centreline line, double length, double radius, Vec3 point) {
+bool unhidden(const Pose& pose, const Centreline& line, double length, double radius, Vec3 point) {
   const double distance = norm(point);
   for (double s = 0; s <= length; s += 0.05) {
     if (norm(point - pose * line(s).position) < radius - 0.01) return false;
@@ -45,7 +46,7 @@ bool unhidden(const Pose& pose, Centreline line, double length, double radius, V
 }
 
 /// The pixel that sees the middle of the rod's front at arc length s; nothing where it is seen too flat or is hidden.
-std::optional<Uv> front(const Intrinsics& k, const Pose& pose, Centreline line, double s) {
+std::optional<Uv> front(const Intrinsics& k, const Pose& pose, const Centreline& line, double s) {
   constexpr double radius = 3;
   const CentrelinePoint c = line(s);
   const Vec3 p = pose * c.position, tangent = rotate(pose.rotation, c.tangent), to_eye = normalized(-p);
@@ -61,7 +62,7 @@ int strongest(const std::array<int, 3>& rgb) {
 }
 
 /// Checks three points along each cell; returns how many it could check.
-int check_cells(const SyntheticFrame& frame, Centreline line, const Cells& cells) {
+int check_cells(const SyntheticFrame& frame, const Centreline& line, const Cells& cells) {
   const SyntheticImage image = render_synthetic(frame);
   const Pose& pose = frame.markers[0].T_camera_marker.middle();
   int checked = 0;
@@ -125,6 +126,23 @@ TEST(Geometry, CellsKeepTheirArcLengthRoundABend) {
   EXPECT_EQ(check_cells(frame, bent_angle, rod.spec().cells), 108);
   frame.markers.assign(1, {&rod, Pose{from_euler_xyz(0.5, -0.6, 1), {-36, 0, 400}}});
   EXPECT_GT(check_cells(frame, bent_angle, rod.spec().cells), 90);
+}
+
+TEST(Geometry, StrokesInSpaceKeepTheirCellsToo) {
+  for (const double bend : {0.0, 8.0}) {
+    // Two right angles out of one plane; a fillet shortens each by 2 r - pi r / 2.
+    const double last = 44 + 2 * bend * (2 - std::numbers::pi / 2);
+    const MarkerSpec spec{1, "stroke", encode(99, 36),
+                          Shape::stroke(36, 4, 3, bend, {{0, 0, 0}, {50, 0, 0}, {50, 50, 0}, {50, 50, last}}), ""};
+    const Rod rod(spec);
+    SyntheticFrame frame = plain_frame(1280, 960);
+    const Quat turn = from_euler_xyz(0.5, 0.6, 0.2);
+    frame.markers.push_back({&rod, Pose{turn, Vec3{0, 0, 420} - rotate(turn, {30, 25, 15})}});
+    EXPECT_GT(check_cells(
+                  frame, [&](double s) { return spec.shape.at(s); }, spec.cells),
+              85)
+        << bend;
+  }
 }
 
 TEST(Geometry, TheRodIsAsThickAsItsRadiusSays) {
