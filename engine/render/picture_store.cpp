@@ -39,17 +39,18 @@ Packing packing_of(const Picture& p) {
   throw Error("a picture has an unknown pixel format");
 }
 
+[[noreturn]] void refuse(const Picture& p, const std::string& what) {
+  throw Error((*p.source ? std::string("picture ") + p.source : "a camera picture") + what);
+}
+
 void check(const Picture& p, const Packing& packing, std::uint32_t largest) {
-  const std::string name = *p.source ? std::string("picture ") + p.source : "a camera picture";
-  if (p.width <= 0 || p.height <= 0) throw Error(name + " is empty");
+  if (p.width <= 0 || p.height <= 0) refuse(p, " is empty");
   if (static_cast<std::uint32_t>(std::max(p.width, p.height)) > largest)
-    throw Error(name + " is larger than the GPU's " + std::to_string(largest) +
-                " pixels: choose a smaller camera mode");
-  if (!(p.intrinsics.fx > 0 && p.intrinsics.fy > 0))
-    throw Error(name + " has no focal length: give --fov or --calibration");
+    refuse(p, " is larger than the GPU's " + std::to_string(largest) + " pixels: choose a smaller camera mode");
+  if (!(p.intrinsics.fx > 0 && p.intrinsics.fy > 0)) refuse(p, " has no focal length: give --fov or --calibration");
   for (std::size_t i = 0; i < packing.planes.size(); ++i)
     if (packing.planes[i].rows && (!p.planes[i] || p.strides[i] < packing.planes[i].row_bytes))
-      throw Error(name + " lacks the bytes of plane " + std::to_string(i));
+      refuse(p, " lacks the bytes of plane " + std::to_string(i));
 }
 
 void copy_rows(std::byte* to, const std::uint8_t* from, std::size_t stride, const PlaneShape& shape) {

@@ -63,6 +63,8 @@ void Film::Impl::open_codec(double rate) {
   const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
   if (!encoder) throw Error("cannot write " + name + ": this libavcodec has no libx264; switch the film off");
   codec.reset(check(avcodec_alloc_context3(encoder)));
+  // Errors still reach standard error; the encoder's report of every film would drown the program's own words.
+  codec->log_level_offset = AV_LOG_INFO - AV_LOG_ERROR;
   codec->width = width & ~1;
   codec->height = height & ~1;
   codec->pix_fmt = AV_PIX_FMT_YUV420P;
@@ -76,8 +78,6 @@ void Film::Impl::open_codec(double rate) {
   if (format->oformat->flags & AVFMT_GLOBALHEADER) codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
   check(av_opt_set(codec->priv_data, "crf", "17", 0));
   check(av_opt_set(codec->priv_data, "preset", "veryfast", 0));
-  // Its report of every film would drown the program's own words.
-  check(av_opt_set(codec->priv_data, "x264-params", "log-level=0", 0));
   check(avcodec_open2(codec.get(), encoder, nullptr));
 
   frame.reset(check(av_frame_alloc()));

@@ -1,0 +1,193 @@
+// A real window on a real X server; CMake gives it one with xvfb-run.
+#include "display/window.h"
+
+#include "core/error.h"
+#include "display/open_display.h"
+#include "golden/stage.h"
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/keysym.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <optional>
+
+namespace onestroke {
+namespace {
+
+constexpr const char* title = "onestroke window test";
+
+/// The X server as another program sees it.
+class Server {
+ public:
+  Server() : display_(XOpenDisplay(nullptr)) {}
+  Server(const Server&) = delete;
+  ~Server() {
+    if (display_) XCloseDisplay(display_);
+  }
+
+  ::Window find() const { return find_below(DefaultRootWindow(display_)); }
+
+  std::array<int, 3> pixel(::Window window, int x, int y) const {
+    XImage* image = XGetImage(display_, window, x, y, 1, 1, AllPlanes, ZPixmap);
+    const unsigned long p = image ? XGetPixel(image, 0, 0) : 0;
+    if (image) XDestroyImage(image);
+    return {static_cast<int>(p >> 16 & 255), static_cast<int>(p >> 8 & 255), static_cast<int>(p & 255)};
+  }
+
+  void press(::Window window, KeySym symbol) const {
+    XKeyEvent event{};
+    event.display = display_;
+    event.window = window;
+    event.root = DefaultRootWindow(display_);
+    event.same_screen = True;
+    event.keycode = XKeysymToKeycode(display_, symbol);
+    for (const auto& [type, mask] : {std::pair{KeyPress, KeyPressMask}, {KeyRelease, KeyReleaseMask}}) {
+      event.type = type;
+      // GLFW takes a press at the time of the last one for a repeat.
+      event.time = ++time_;
+      XSendEvent(display_, window, True, mask, reinterpret_cast<XEvent*>(&event));
+    }
+    XSync(display_, False);
+  }
+
+  void close(::Window window) const {
+    XClientMessageEvent event{};
+    event.type = ClientMessage;
+    event.window = window;
+    event.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+    event.format = 32;
+    event.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+    XSendEvent(display_, window, False, NoEventMask, reinterpret_cast<XEvent*>(&event));
+    XSync(display_, False);
+  }
+
+ private:
+  ::Window find_below(::Window window) const {
+    char* name = nullptr;
+    const bool found = XFetchName(display_, window, &name) && name && std::string(name) == title;
+    if (name) XFree(name);
+    if (found) return window;
+    ::Window root = 0, parent = 0, *children = nullptr, result = 0;
+    unsigned count = 0;
+    if (!XQueryTree(display_, window, &root, &parent, &children, &count)) return 0;
+    for (unsigned i = 0; i < count && !result; ++i) result = find_below(children[i]);
+    if (children) XFree(children);
+    return result;
+  }
+
+  ::Display* display_;
+  mutable ::Time time_ = 1000;
+};
+
+class WindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(std::getenv("DISPLAY")) << "this test needs an X server: run it with xvfb-run -a";
+    window.emplace(WindowOptions{.title = title, .width = 320, .height = 240});
+    Gpu gpu({.needs = window->needs(), .validation = true, .validation_messages = &validation_messages});
+    window->attach(gpu);
+    renderer.emplace(gpu);
+  }
+  void TearDown() override {
+    renderer.reset();
+    window.reset();
+    EXPECT_EQ(validation_messages, 0);
+  }
+
+  /// One frame of one colour; false where the window wanted none.
+  bool show(const Color& color) {
+    FrameInfo frame;
+    window->begin(frame);
+    if (frame.should_render) {
+      EXPECT_TRUE(renderer->draw({.background = color}, frame)) << renderer->failure();
+      last = frame;
+      size = {frame.target ? frame.views[0].viewport.width : 0, frame.views[0].viewport.height};
+    }
+    window->end(frame);
+    for (const Key key : window->poll()) keys.push_back(key);
+    return frame.should_render;
+  }
+
+  /// Shows frames until something is so. The server answers in its own time, so frames are counted and not seconds.
+  bool show_until(const Color& color, const std::function<bool()>& so) {
+    for (int i = 0; i < 600; ++i) {
+      show(color);
+      if (so()) return true;
+    }
+    return false;
+  }
+
+  std::atomic<int> validation_messages{0};
+  Server server;
+  std::optional<WindowDisplay> window;
+  std::optional<Renderer> renderer;
+  FrameInfo last;
+  std::array<int, 2> size{};
+  std::vector<Key> keys;
+};
+
+TEST_F(WindowTest, ShowsWhatIsDrawn) {
+  const Color orange{1, 0.2F, 0.05F, 1};  // sRGB 255, 124, 63
+  ASSERT_TRUE(show_until(orange, [this] { return server.pixel(server.find(), 160, 120)[0] > 0; }));
+  const auto pixel = server.pixel(server.find(), 160, 120);
+  EXPECT_EQ(pixel[0], 255);
+  EXPECT_NEAR(pixel[1], 124, 1);
+  EXPECT_NEAR(pixel[2], 63, 1);
+  EXPECT_EQ(size, (std::array{320, 240}));
+}
+
+TEST_F(WindowTest, FollowsItsSize) {
+  show({});
+  for (const auto& [width, height] : {std::pair{500, 380}, {200, 150}, {640, 90}}) {
+    window->resize(width, height);
+    const std::array wanted{width, height};
+    ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] { return size == wanted; })) << width;
+    ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] {
+      return server.pixel(server.find(), width - 2, height - 2) == std::array{0, 255, 0};
+    })) << width;
+  }
+  EXPECT_FALSE(window->closed());
+}
+
+TEST_F(WindowTest, ReportsKeys) {
+  show({});
+  const ::Window id = server.find();
+  for (const KeySym symbol : {XK_l, XK_space, XK_Escape, XK_Left}) server.press(id, symbol);
+  EXPECT_TRUE(show_until({}, [this] { return keys.size() >= 4; }));
+  EXPECT_THAT(keys, testing::ElementsAre(Key{'l'}, Key::space, Key::escape, Key::left));
+}
+
+TEST_F(WindowTest, ClosesWhenAsked) {
+  show({});
+  EXPECT_FALSE(window->closed());
+  server.close(server.find());
+  EXPECT_TRUE(show_until({}, [this] { return window->closed(); }));
+  EXPECT_NO_THROW(window->finish());
+}
+
+TEST_F(WindowTest, ShrinksToOnePixelAndBack) {
+  show({});
+  window->resize(1, 1);
+  EXPECT_TRUE(show_until({1, 0, 0, 1}, [this] { return size == std::array{1, 1}; }));
+  window->resize(300, 200);
+  EXPECT_TRUE(show_until({1, 0, 0, 1}, [this] { return size == std::array{300, 200}; }));
+}
+
+TEST(WindowWithoutDesktop, NamesTheRemedy) {
+  const std::string desktop = std::getenv("DISPLAY") ? std::getenv("DISPLAY") : "";
+  setenv("DISPLAY", ":987", 1);
+  try {
+    open_display("window", {});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("offscreen:DIR"));
+  }
+  setenv("DISPLAY", desktop.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace onestroke
