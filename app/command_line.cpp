@@ -168,6 +168,12 @@ struct Program {
   throw UsageError(what + "; see `" + program.command_path() + " --help`");
 }
 
+void check_threads(const Program& program, const TrackOptions& options) {
+  if (options.threads == 1 || options.independent) return;
+  refuse(program, "--threads " + std::to_string(options.threads) +
+                      " needs --independent: pictures that follow each other are tracked one after the other");
+}
+
 void check_lens_known(const Program& program, const SourceOptions& options) {
   if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
   refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
@@ -195,6 +201,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
   }
   if (program.app.got_subcommand("track")) {
     check_lens_known(program, program.track.source);
+    check_threads(program, program.track);
     return program.track;
   }
   if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");

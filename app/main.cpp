@@ -12,10 +12,10 @@ namespace {
 enum ExitCode { done = 0, failed = 1, wrong_usage = 2 };
 
 int execute(const onestroke::RunOptions& options) {
-  return onestroke::run_command(options);
+  return onestroke::run_command(options, std::cout);
 }
 int execute(const onestroke::TrackOptions& options) {
-  return onestroke::track_command(options);
+  return onestroke::track_command(options, std::cout);
 }
 int execute(const onestroke::MarkerOptions& options) {
   return onestroke::marker_command(options, std::cout);

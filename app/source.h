@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/command_line.h"
+#include "core/camera.h"
+#include "marker/catalog.h"
+
+#include <memory>
+
+namespace onestroke {
+
+/// Opens the camera that the command line asks for. Throws Error, or UsageError where its words are wrong.
+std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog& catalog);
+
+}  // namespace onestroke
