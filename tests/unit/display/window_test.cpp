@@ -142,13 +142,11 @@ TEST_F(WindowTest, ShowsWhatIsDrawn) {
 
 TEST_F(WindowTest, FollowsItsSize) {
   show({});
-  for (const auto& [width, height] : {std::pair{500, 380}, {200, 150}, {640, 90}}) {
-    window->resize(width, height);
-    const std::array wanted{width, height};
-    ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] { return size == wanted; })) << width;
-    ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] {
-      return server.pixel(server.find(), width - 2, height - 2) == std::array{0, 255, 0};
-    })) << width;
+  for (const std::array wanted : {std::array{500, 380}, {200, 150}, {640, 90}}) {
+    window->resize(wanted[0], wanted[1]);
+    ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] { return size == wanted; })) << wanted[0];
+    const auto last_pixel = [&] { return server.pixel(server.find(), wanted[0] - 2, wanted[1] - 2); };
+    ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] { return last_pixel() == std::array{0, 255, 0}; })) << wanted[0];
   }
   EXPECT_FALSE(window->closed());
 }
@@ -156,7 +154,7 @@ TEST_F(WindowTest, FollowsItsSize) {
 TEST_F(WindowTest, ReportsKeys) {
   show({});
   const ::Window id = server.find();
-  for (const KeySym symbol : {XK_l, XK_space, XK_Escape, XK_Left}) server.press(id, symbol);
+  for (const KeySym symbol : std::array<KeySym, 4>{XK_l, XK_space, XK_Escape, XK_Left}) server.press(id, symbol);
   EXPECT_TRUE(show_until({}, [this] { return keys.size() >= 4; }));
   EXPECT_THAT(keys, testing::ElementsAre(Key{'l'}, Key::space, Key::escape, Key::left));
 }
