@@ -29,6 +29,17 @@ Reading best_stretch(const Cells& code, const std::vector<Cell>& cells, const Ch
   return best;
 }
 
+// A reading that another one of the same chain explains better by this much is chance: codes agree by half with
+// anything.
+constexpr int clear_margin = 4;
+
+bool outdone(const Reading& r, const std::vector<Reading>& better) {
+  return std::any_of(better.begin(), better.end(), [&](const Reading& q) {
+    const int shared = std::min(q.end, r.end) - std::max(q.begin, r.begin);
+    return q.chain == r.chain && q.score() >= r.score() + clear_margin && 10 * shared >= 7 * (r.end - r.begin);
+  });
+}
+
 }  // namespace
 
 std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>& cells,
@@ -53,7 +64,10 @@ std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>
   }
   std::stable_sort(readings.begin(), readings.end(),
                    [](const Reading& a, const Reading& b) { return a.score() > b.score(); });
-  return readings;
+  std::vector<Reading> kept;
+  for (const Reading& r : readings)
+    if (!outdone(r, kept)) kept.push_back(r);
+  return kept;
 }
 
 }  // namespace onestroke

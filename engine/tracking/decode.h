@@ -24,7 +24,7 @@ struct Reading {
 
 /// The readings of every chain, best first. A chain may be cut at both ends, may run past a tip or round a corner and
 /// may miscount a gap, so each alignment of each code counts with its best stretch: the run of links that agree, where
-/// one that contradicts costs three.
+/// one that contradicts costs three. A reading that another clearly outdoes on the same links is left out.
 std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>& cells,
                                  const std::vector<Chain>& chains);
 

@@ -1,9 +1,8 @@
 #include "tracking/detector.h"
 
-#include "tracking/roll_search.h"
-#include "tracking/segmentation.h"
-
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace onestroke {
@@ -11,6 +10,11 @@ namespace {
 
 constexpr int max_proofs_per_marker = 8;
 constexpr int max_rolls = 4;
+// A short or noisy row leaves its tilt to the camera uncertain by about this much, radians.
+constexpr std::array<double, 3> tilts{0, -0.12, 0.12};
+
+// Daylight, lamplight, and inks before a background of a pale colour of their own (a sky).
+constexpr std::array<SegmentationOptions, 3> segmentations{{{1.0F}, {1.6F}, {1.0F, 0.4F}}};
 constexpr float min_ink_separation = 0.02F;
 
 // Two detections explain the same cells of the picture.
@@ -42,26 +46,55 @@ struct Detector::Candidate {
   double evidence;
 };
 
-bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
-  if (!r.valid || a.agrees < 9 || a.evidence() < 8) return false;
-  // One arm alone leaves the roll about it to chance.
-  if (rod.has_roll() && a.fewest_on_arm < 3) return false;
+namespace {
+
+// Ring edges supported on the straight arm that has second most.
+double second_arm_support(const RodModel& rod, const Refinement& r) {
+  double best = 0, second = 0, sum = 0;
+  for (int c = 0, arm = -1; c <= rod.cell_count(); ++c) {
+    const int next = c < rod.cell_count() ? rod.arm_of(c) : -1;
+    if (next != arm) {
+      if (sum > best) std::swap(sum, best);
+      second = std::max(second, sum);
+      sum = 0;
+      arm = next;
+    }
+    if (arm >= 0) sum += static_cast<double>(r.support[static_cast<std::size_t>(c)]);
+  }
+  return second;
+}
+
+}  // namespace
+
+bool believable(const RodModel& rod, const Refinement& r, const Appearance& a, Arms arms) {
+  if (!r.valid || a.agrees < 9 || a.evidence() < 8 || 16 * a.contradicts > a.agrees) return false;
+  // One arm alone leaves the roll about it to chance. On a wrong arm some cells agree by chance, but no ring edges
+  // show.
+  const bool both = a.fewest_on_arm >= 3 && second_arm_support(rod, r) >= 5;
+  if (rod.has_roll() && arms == Arms::both && !both) return false;
+  if (arms == Arms::other_hidden && (a.agrees < 14 || a.contradicts > 0 || r.supported < 0.6 * r.expected))
+    return false;
   // Two fingers cover half an arm; where less agrees, the pose is right for one arm only.
-  if (a.weakest_share < 0.35) return false;
-  // A marker in plain sight supports nearly every ring edge; a covered one still a good share of those whose cells
-  // agree.
-  return r.supported > 2.0 * a.agrees && r.supported > 0.25 * r.expected && r.rms < 2.0;
+  if (a.weakest_share < 0.25) return false;
+  return r.supported > 2.0 * a.agrees && r.supported > 0.36 * r.expected && r.rms < 2.0;
+}
+
+Levels LevelMaker::make(const ImageView& picture) {
+  smooth(picture, 1.0, soft_);
+  smooth(picture, 2.0, softer_);
+  const std::size_t stride = 3 * static_cast<std::size_t>(picture.width);
+  return {picture,
+          {soft_.data(), picture.width, picture.height, stride},
+          {softer_.data(), picture.width, picture.height, stride}};
 }
 
 Detector::Detector(const Catalog& catalog) : catalog_(catalog) {
   for (const MarkerSpec& m : catalog.markers) rods_.emplace_back(m);
 }
 
-void Detector::propose(const ImageView& image, float blue_gain, const Intrinsics& intrinsics,
+void Detector::propose(const ImageView& image, const SegmentationOptions& segmentation, const Intrinsics& intrinsics,
                        const std::vector<bool>& skip) {
-  SegmentationOptions options;
-  options.blue_gain = blue_gain;
-  segment(image, options, labels_);
+  segment(image, segmentation, labels_);
   cell_finder_.find(labels_, image.width, image.height, {}, cells_);
   chain_finder_.find(cells_, image.width, image.height, {}, chains_);
   readings_ = read_chains(catalog_, cells_, chains_);
@@ -95,15 +128,25 @@ void Detector::weigh(const Levels& levels, const Intrinsics& intrinsics, const P
 }
 
 bool Detector::prove(const Levels& levels, const Intrinsics& intrinsics, int marker, const EigenPose& start,
-                     const Inks& inks, Detection& detection) const {
+                     const Inks& inks, Detection& detection, Arms arms) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(marker)];
   const ImageView& image = levels.for_pitch(pitch_in_pixels(intrinsics, rod, start));
   const Refinement r = refine(image, intrinsics, rod, inks, start);
   if (!r.valid) return false;
   Appearance a = assess(image, intrinsics, rod, inks, r.pose);
-  if (!believable(rod, r, a)) return false;
+  if (!believable(rod, r, a, arms)) return false;
   detection = {marker, r, std::move(a), inks};
   return true;
+}
+
+// The best roll beats every other by more than a covered arm could cost it.
+bool Detector::stands_out(const std::vector<RollCandidate>& rolls) {
+  constexpr double margin = 12, same = 0.2;
+  if (rolls.empty()) return false;
+  return std::all_of(rolls.begin() + 1, rolls.end(), [&](const RollCandidate& c) {
+    return c.evidence < rolls[0].evidence - margin ||
+           Eigen::AngleAxisd(c.pose.R * rolls[0].pose.R.transpose()).angle() < same;
+  });
 }
 
 // Fits the arm of a single row, then turns the rod about it until the rest of it fits the picture too.
@@ -128,9 +171,14 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     complete_inks(image, intrinsics, rod, g.pose, inks);
     const Refinement arm = refine(image, intrinsics, rod, inks, g.pose, options);
     if (!arm.valid) continue;
-    for (const RollCandidate& c : search_roll(image, intrinsics, rod, inks, arm.pose, on_arm, max_rolls)) {
-      Detection d;
-      if (prove(levels, intrinsics, single.marker, c.pose, inks, d)) proven.push_back(std::move(d));
+    for (const double tilt : tilts) {
+      const EigenPose tilted = tilt_arm(rod, arm.pose, on_arm, tilt);
+      const auto rolls = search_roll(image, intrinsics, rod, inks, tilted, on_arm, max_rolls);
+      for (const RollCandidate& c : rolls) {
+        const Arms arms = &c == rolls.data() && stands_out(rolls) ? Arms::other_hidden : Arms::both;
+        Detection d;
+        if (prove(levels, intrinsics, single.marker, c.pose, inks, d, arms)) proven.push_back(std::move(d));
+      }
     }
   }
 }
@@ -154,8 +202,8 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   detections.clear();
   pairs_.clear();
   singles_.clear();
-  for (const ImageView* image : {&levels.sharp, &levels.soft})
-    for (const float gain : {1.0F, 1.6F}) propose(*image, gain, intrinsics, skip);
+  for (const ImageView* image : {&levels.sharp, &levels.softer})
+    for (const SegmentationOptions& s : segmentations) propose(*image, s, intrinsics, skip);
   std::vector<Candidate> candidates;
   for (const Proposal& p : pairs_) weigh(levels, intrinsics, p, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),

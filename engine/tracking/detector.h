@@ -4,6 +4,8 @@
 #include "tracking/appearance.h"
 #include "tracking/proposals.h"
 #include "tracking/refine.h"
+#include "tracking/roll_search.h"
+#include "tracking/segmentation.h"
 
 #include <vector>
 
@@ -17,17 +19,31 @@ struct Detection {
   Inks inks;
 };
 
-/// A picture as taken and smoothed against noise.
+/// A picture as taken and smoothed against noise, twice.
 struct Levels {
-  ImageView sharp, soft;
+  ImageView sharp, soft, softer;
 
-  /// The one to measure a rod in: where a cell spans many pixels the smoothed picture loses nothing but noise.
-  const ImageView& for_pitch(double pixels) const { return pixels > 10 ? soft : sharp; }
+  /// The one to measure a rod in: where a cell spans many pixels a smoothed picture loses nothing but noise.
+  const ImageView& for_pitch(double pixels) const { return pixels > 14 ? softer : pixels > 10 ? soft : sharp; }
 };
+
+/// Memory for the levels of one picture after another.
+class LevelMaker {
+ public:
+  /// The levels borrow the picture and this object's memory.
+  Levels make(const ImageView& picture);
+
+ private:
+  std::vector<std::uint8_t> soft_, softer_;
+};
+
+/// What must be seen: both arms, or one where the picture rules out every roll but the one that hides the other arm.
+enum class Arms { both, other_hidden };
 
 /// Whether a refined pose is believed: enough cells of the right inks, few of a wrong one, both arms seen, ring edges
 /// where they should be.
-bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
+bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance,
+                Arms arms = Arms::both);
 
 /// Finds markers from cold in a single picture: segment, cells, chains, readings, poses, refinement, proof. Used by one
 /// thread at a time.
@@ -41,16 +57,18 @@ class Detector {
               std::vector<Detection>& detections);
   /// Refines a marker from a pose near the true one and proves it; false where it is not believable there.
   bool prove(const Levels& levels, const Intrinsics& intrinsics, int marker, const EigenPose& start, const Inks& inks,
-             Detection& detection) const;
+             Detection& detection, Arms arms = Arms::both) const;
 
   const RodModel& rod(int marker) const { return rods_[static_cast<std::size_t>(marker)]; }
   std::size_t marker_count() const { return rods_.size(); }
 
  private:
   struct Candidate;
-  void propose(const ImageView& image, float blue_gain, const Intrinsics& intrinsics, const std::vector<bool>& skip);
+  void propose(const ImageView& image, const SegmentationOptions& segmentation, const Intrinsics& intrinsics,
+               const std::vector<bool>& skip);
   void weigh(const Levels& levels, const Intrinsics& intrinsics, const Proposal& proposal,
              std::vector<Candidate>& candidates) const;
+  static bool stands_out(const std::vector<RollCandidate>& rolls);
   void complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
                     std::vector<Detection>& proven) const;
   Inks inks_of(const ImageView& image, const Proposal& proposal) const;

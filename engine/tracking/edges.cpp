@@ -55,7 +55,7 @@ class EdgeMeter {
     if (!crossing(pa, px, pb, ca, cb, along)) return;
     const Vec2d direction = (pb - pa).normalized();
     const Vec2d normal(-step.y() / step.norm(), step.x() / step.norm());
-    set_.edges.push_back({pose_ * x, normal, along * direction.dot(normal), true});
+    set_.edges.push_back({pose_ * x, normal, along * direction.dot(normal), true, e});
   }
 
   // Direction of the ring's image at the edge point, pixels.
@@ -116,7 +116,7 @@ class EdgeMeter {
     if (inks_.match(ca, rod_.ink(c)) != Inks::Match::agrees) return;
     if ((cb - ca).matrix().norm() < 40) return;
     double along;
-    if (crossing(pa, px, pb, ca, cb, along)) set_.edges.push_back({pose_ * x, normal, along, false});
+    if (crossing(pa, px, pb, ca, cb, along)) set_.edges.push_back({pose_ * x, normal, along, false, c});
   }
 
   const ImageView& image_;

@@ -15,6 +15,7 @@ struct EdgeMeasurement {
   Vec2d normal;  ///< Unit, pixels.
   double offset = 0;
   bool ring = true;  ///< Ring edge, or else the rod's outline.
+  int cell = 0;      ///< The cell after the ring edge, or beside the outline.
 };
 
 struct EdgeSet {

@@ -14,6 +14,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 struct System {
   Matrix6d hessian = Matrix6d::Zero();
   Vector6d gradient = Vector6d::Zero();
+  std::array<float, max_cells> support{};
   double ring_weight = 0, ring_square = 0, weight = 0, chi2 = 0;
 };
 
@@ -46,6 +47,7 @@ System build(const Intrinsics& k, const EigenPose& pose, const EdgeSet& set, dou
     sys.chi2 += iw * e.offset * e.offset;
     if (e.ring) {
       sys.ring_weight += w;
+      sys.support[static_cast<std::size_t>(e.cell)] += static_cast<float>(w);
       sys.ring_square += w * e.offset * e.offset;
     }
   }
@@ -98,6 +100,7 @@ Refinement refine(const ImageView& image, const Intrinsics& intrinsics, const Ro
   result.covariance = excess * information.inverse();
   result.expected = set.expected_rings;
   result.supported = sys.ring_weight;
+  result.support = sys.support;
   result.rms = std::sqrt(sys.ring_square / std::max(sys.ring_weight, 1e-9));
   result.valid = result.covariance.allFinite();
   return result;

@@ -5,6 +5,7 @@
 #include "tracking/rod_model.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace onestroke {
@@ -27,6 +28,7 @@ struct Refinement {
   int expected = 0;                        ///< Ring-edge points that should be seen.
   double supported = 0;                    ///< Sum of their robust weights.
   double rms = 0;                          ///< Of the ring edges' residuals, weighted, pixels.
+  std::array<float, max_cells> support{};  ///< As supported, by the cell after the edge.
   bool valid = false;                      ///< The system was solvable.
 };
 

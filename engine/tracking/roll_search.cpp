@@ -33,4 +33,18 @@ std::vector<RollCandidate> search_roll(const ImageView& image, const Intrinsics&
   return peaks;
 }
 
+EigenPose tilt_arm(const RodModel& rod, const EigenPose& pose, int cell_on_arm, double angle) {
+  const RodModel::Section& section = rod.middle(cell_on_arm);
+  const Vec3d middle = pose * section.centre, arm = pose.R * section.tangent;
+  const Vec3d view = middle.normalized(), hinge = arm.cross(view);
+  if (hinge.norm() < 1e-3) return pose;
+  const Mat3d turn = Eigen::AngleAxisd(angle, hinge.normalized()).toRotationMatrix();
+  // Seen from the side an arm looks longer: the distance makes up for it.
+  const double before = hinge.norm(), after = (turn * arm).cross(view).norm();
+  EigenPose tilted;
+  tilted.R = turn * pose.R;
+  tilted.t = middle * (after / before) - tilted.R * section.centre;
+  return tilted;
+}
+
 }  // namespace onestroke

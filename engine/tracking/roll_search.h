@@ -18,4 +18,7 @@ struct RollCandidate {
 std::vector<RollCandidate> search_roll(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod,
                                        const Inks& inks, const EigenPose& pose, int cell_on_arm, int count);
 
+/// Tilts an arm towards or away from the camera by an angle, its image staying about where and as long as it is.
+EigenPose tilt_arm(const RodModel& rod, const EigenPose& pose, int cell_on_arm, double angle);
+
 }  // namespace onestroke

@@ -3,15 +3,12 @@
 #include "tracking/detector.h"
 #include "tracking/follower.h"
 #include "tracking/rgb_image.h"
-#include "tracking/segmentation.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace onestroke {
 namespace {
-
-constexpr double soft_sigma = 1.0;
 
 std::array<double, 36> flatten(const Matrix6d& m) {
   std::array<double, 36> a;
@@ -36,7 +33,7 @@ class Tracker::Impl {
   void process(const Picture& picture, FrameRecord& record) {
     const Time begin = Time::now();
     start(picture, record);
-    const Levels levels = levels_of(picture);
+    const Levels levels = levels_.make(rgb_view(picture, rgb_));
     if (!options_.independent) follow(picture, levels);
     if (search_due()) {
       detector_.detect(levels, picture.intrinsics, found_, detections_);
@@ -60,12 +57,6 @@ class Tracker::Impl {
     record.marker_count = 0;
     found_.assign(followers_.size(), false);
     measured_.clear();
-  }
-
-  Levels levels_of(const Picture& picture) {
-    const ImageView sharp = rgb_view(picture, rgb_);
-    smooth(sharp, soft_sigma, soft_);
-    return {sharp, {soft_.data(), sharp.width, sharp.height, 3 * static_cast<std::size_t>(sharp.width)}};
   }
 
   void take(const Picture& picture, const Detection& d) {
@@ -141,7 +132,8 @@ class Tracker::Impl {
   std::vector<Follower> followers_;
   std::vector<bool> found_;
   std::vector<Detection> detections_, measured_;
-  std::vector<std::uint8_t> rgb_, soft_;
+  std::vector<std::uint8_t> rgb_;
+  LevelMaker levels_;
   Time time_, last_time_;
   int since_search_ = 0;
 };
