@@ -81,7 +81,7 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a, A
 
 Levels LevelMaker::make(const ImageView& picture) {
   smooth(picture, 1.0, soft_);
-  smooth(picture, 2.0, softer_);
+  smooth(picture, 3.0, softer_);
   const std::size_t stride = 3 * static_cast<std::size_t>(picture.width);
   return {picture,
           {soft_.data(), picture.width, picture.height, stride},
@@ -131,8 +131,13 @@ bool Detector::prove(const Levels& levels, const Intrinsics& intrinsics, int mar
                      const Inks& inks, Detection& detection, Arms arms) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(marker)];
   const ImageView& image = levels.for_pitch(pitch_in_pixels(intrinsics, rod, start));
-  const Refinement r = refine(image, intrinsics, rod, inks, start);
+  Refinement r = refine(image, intrinsics, rod, inks, start);
   if (!r.valid) return false;
+  if (&image == &levels.softer) {
+    // Smoothing drew it in; where the picture is clean its finer levels are more exact.
+    const Refinement finer = refine(levels.soft, intrinsics, rod, inks, r.pose);
+    if (finer.valid && finer.rms < r.rms && finer.supported > 0.9 * r.supported) r = finer;
+  }
   Appearance a = assess(image, intrinsics, rod, inks, r.pose);
   if (!believable(rod, r, a, arms)) return false;
   detection = {marker, r, std::move(a), inks};
