@@ -11,11 +11,12 @@ namespace {
 constexpr int max_proofs_per_marker = 8;
 constexpr int max_rolls = 4;
 // A short or noisy row leaves its tilt to the camera uncertain by about this much, radians.
-constexpr std::array<double, 3> tilts{0, -0.12, 0.12};
+constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 
 // Daylight, lamplight, and inks before a background of a pale colour of their own (a sky).
 constexpr std::array<SegmentationOptions, 3> segmentations{{{1.0F}, {1.6F}, {1.0F, 0.4F}}};
 constexpr float min_ink_separation = 0.02F;
+constexpr int min_agreeing = 9;
 
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
@@ -66,14 +67,12 @@ double second_arm_support(const RodModel& rod, const Refinement& r) {
 
 }  // namespace
 
-bool believable(const RodModel& rod, const Refinement& r, const Appearance& a, Arms arms) {
-  if (!r.valid || a.agrees < 9 || a.evidence() < 8 || 16 * a.contradicts > a.agrees) return false;
+bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
+  if (!r.valid || a.agrees < min_agreeing || a.evidence() < 8 || 16 * a.contradicts > a.agrees) return false;
   // One arm alone leaves the roll about it to chance. On a wrong arm some cells agree by chance, but no ring edges
   // show.
   const bool both = a.fewest_on_arm >= 3 && second_arm_support(rod, r) >= 5;
-  if (rod.has_roll() && arms == Arms::both && !both) return false;
-  if (arms == Arms::other_hidden && (a.agrees < 14 || a.contradicts > 0 || r.supported < 0.6 * r.expected))
-    return false;
+  if (rod.has_roll() && !both) return false;
   // Two fingers cover half an arm; where less agrees, the pose is right for one arm only.
   if (a.weakest_share < 0.25) return false;
   return r.supported > 2.0 * a.agrees && r.supported > 0.36 * r.expected && r.rms < 2.0;
@@ -128,30 +127,37 @@ void Detector::weigh(const Levels& levels, const Intrinsics& intrinsics, const P
 }
 
 bool Detector::prove(const Levels& levels, const Intrinsics& intrinsics, int marker, const EigenPose& start,
-                     const Inks& inks, Detection& detection, Arms arms) const {
+                     const Inks& inks, Detection& detection) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(marker)];
   const ImageView& image = levels.for_pitch(pitch_in_pixels(intrinsics, rod, start));
-  Refinement r = refine(image, intrinsics, rod, inks, start);
-  if (!r.valid) return false;
+  Detection d{marker, refine(image, intrinsics, rod, inks, start), {}, inks};
+  if (!d.refinement.valid) return false;
+  d.appearance = assess(image, intrinsics, rod, inks, d.refinement.pose);
+  if (d.appearance.agrees < min_agreeing) return false;
+  relearn(image, intrinsics, rod, d);
   if (&image == &levels.softer) {
     // Smoothing drew it in; where the picture is clean its finer levels are more exact.
-    const Refinement finer = refine(levels.soft, intrinsics, rod, inks, r.pose);
-    if (finer.valid && finer.rms < r.rms && finer.supported > 0.9 * r.supported) r = finer;
+    const Refinement finer = refine(levels.soft, intrinsics, rod, d.inks, d.refinement.pose);
+    if (finer.valid && finer.rms < d.refinement.rms && finer.supported > 0.9 * d.refinement.supported)
+      d.refinement = finer;
   }
-  Appearance a = assess(image, intrinsics, rod, inks, r.pose);
-  if (!believable(rod, r, a, arms)) return false;
-  detection = {marker, r, std::move(a), inks};
+  d.appearance = assess(image, intrinsics, rod, d.inks, d.refinement.pose);
+  if (!believable(rod, d.refinement, d.appearance)) return false;
+  detection = std::move(d);
   return true;
 }
 
-// The best roll beats every other by more than a covered arm could cost it.
-bool Detector::stands_out(const std::vector<RollCandidate>& rolls) {
-  constexpr double margin = 12, same = 0.2;
-  if (rolls.empty()) return false;
-  return std::all_of(rolls.begin() + 1, rolls.end(), [&](const RollCandidate& c) {
-    return c.evidence < rolls[0].evidence - margin ||
-           Eigen::AngleAxisd(c.pose.R * rolls[0].pose.R.transpose()).angle() < same;
-  });
+// The few cells that made the guess may show the inks badly; all cells at the pose show them better, if the pose is
+// right.
+void Detector::relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& d) {
+  Detection other = d;
+  other.inks = {};
+  complete_inks(image, intrinsics, rod, d.refinement.pose, other.inks);
+  if (other.inks.separation < min_ink_separation) return;
+  other.refinement = refine(image, intrinsics, rod, other.inks, d.refinement.pose);
+  if (!other.refinement.valid) return;
+  other.appearance = assess(image, intrinsics, rod, other.inks, other.refinement.pose);
+  if (other.appearance.evidence() > d.appearance.evidence()) d = std::move(other);
 }
 
 // Fits the arm of a single row, then turns the rod about it until the rest of it fits the picture too.
@@ -178,11 +184,9 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     if (!arm.valid) continue;
     for (const double tilt : tilts) {
       const EigenPose tilted = tilt_arm(rod, arm.pose, on_arm, tilt);
-      const auto rolls = search_roll(image, intrinsics, rod, inks, tilted, on_arm, max_rolls);
-      for (const RollCandidate& c : rolls) {
-        const Arms arms = &c == rolls.data() && stands_out(rolls) ? Arms::other_hidden : Arms::both;
+      for (const RollCandidate& c : search_roll(image, intrinsics, rod, inks, tilted, on_arm, max_rolls)) {
         Detection d;
-        if (prove(levels, intrinsics, single.marker, c.pose, inks, d, arms)) proven.push_back(std::move(d));
+        if (prove(levels, intrinsics, single.marker, c.pose, inks, d)) proven.push_back(std::move(d));
       }
     }
   }

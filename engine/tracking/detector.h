@@ -37,13 +37,9 @@ class LevelMaker {
   std::vector<std::uint8_t> soft_, softer_;
 };
 
-/// What must be seen: both arms, or one where the picture rules out every roll but the one that hides the other arm.
-enum class Arms { both, other_hidden };
-
 /// Whether a refined pose is believed: enough cells of the right inks, few of a wrong one, both arms seen, ring edges
 /// where they should be.
-bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance,
-                Arms arms = Arms::both);
+bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
 
 /// Finds markers from cold in a single picture: segment, cells, chains, readings, poses, refinement, proof. Used by one
 /// thread at a time.
@@ -57,7 +53,7 @@ class Detector {
               std::vector<Detection>& detections);
   /// Refines a marker from a pose near the true one and proves it; false where it is not believable there.
   bool prove(const Levels& levels, const Intrinsics& intrinsics, int marker, const EigenPose& start, const Inks& inks,
-             Detection& detection, Arms arms = Arms::both) const;
+             Detection& detection) const;
 
   const RodModel& rod(int marker) const { return rods_[static_cast<std::size_t>(marker)]; }
   std::size_t marker_count() const { return rods_.size(); }
@@ -68,7 +64,7 @@ class Detector {
                const std::vector<bool>& skip);
   void weigh(const Levels& levels, const Intrinsics& intrinsics, const Proposal& proposal,
              std::vector<Candidate>& candidates) const;
-  static bool stands_out(const std::vector<RollCandidate>& rolls);
+  static void relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& detection);
   void complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
                     std::vector<Detection>& proven) const;
   Inks inks_of(const ImageView& image, const Proposal& proposal) const;
