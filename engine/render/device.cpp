@@ -12,7 +12,8 @@ Device::Device(const GpuOptions& options)
       physical_(choose_device(instance_, options)),
       properties_(physical_.getProperties()),
       queue_family_(choose_queue_family(physical_)),
-      anisotropy_(physical_.getFeatures().samplerAnisotropy),
+      // A CPU pays for it by the texel.
+      anisotropy_(physical_.getFeatures().samplerAnisotropy && properties_.deviceType != vk::PhysicalDeviceType::eCpu),
       device_(create_device(physical_, queue_family_, options)),
       queue_(device_, queue_family_, 0),
       memory_(device_, physical_) {}
