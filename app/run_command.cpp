@@ -1,32 +1,108 @@
 #include "app/run_command.h"
 
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/show.h"
 #include "app/source.h"
 #include "core/error.h"
 #include "display/open_display.h"
-#include "render/renderer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <ostream>
 
 namespace onestroke {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What two hands do before the synthetic camera, once.
+constexpr double script_seconds = 24;
+
+bool set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value && *value;
+}
+
+fs::path catalog_file(const RunOptions& options) {
+  if (!options.catalog.empty()) return options.catalog;
+  const fs::path assets = set("ONESTROKE_ASSETS") ? std::getenv("ONESTROKE_ASSETS") : ONESTROKE_ASSETS_DIR;
+  const fs::path file = assets / "catalog.json";
+  std::error_code unknown;
+  if (!fs::exists(file, unknown))
+    throw Error("the demo's catalogue " + file.string() +
+                " is not there; set ONESTROKE_ASSETS to the folder that holds it, or give --catalog FILE");
+  return file;
+}
+
+std::string display_spec(const RunOptions& options) {
+  if (!options.display.empty()) return options.display;
+  return set("DISPLAY") || set("WAYLAND_DISPLAY") ? "window" : "offscreen:out/demo";
+}
+
+/// On a screen the synthetic camera takes its pictures in real time, unless told otherwise.
+SourceOptions source_for(SourceOptions source, bool offscreen) {
+  const bool synthetic = source.camera.starts_with("synthetic");
+  if (!synthetic || offscreen || source.camera.find("live=") != std::string::npos) return source;
+  source.camera += source.camera.find(':') == std::string::npos ? ":live=1" : ",live=1";
+  return source;
+}
+
+FrameFeed::Pace pace_for(const Camera& camera, bool offscreen) {
+  if (camera.live()) return FrameFeed::Pace::newest;
+  return offscreen ? FrameFeed::Pace::each : FrameFeed::Pace::at_its_time;
+}
+
+ShowLimits limits_for(const RunOptions& options, const Camera& camera, bool offscreen) {
+  ShowLimits limits;
+  if (options.frames) limits.pictures = static_cast<std::size_t>(*options.frames);
+  if (options.seconds) limits.length = Duration::from_seconds(*options.seconds);
+  // A folder would fill for ever.
+  const bool endless = camera.length() == 0 && !camera.live() && !options.frames && !options.seconds;
+  if (endless && offscreen) limits.pictures = static_cast<std::size_t>(std::lround(script_seconds * camera.rate()));
+  return limits;
+}
+
+std::size_t pictures_expected(const ShowLimits& limits, const Camera& camera) {
+  const std::size_t length = camera.length();
+  if (limits.pictures == ShowLimits{}.pictures) return length;
+  return length == 0 ? limits.pictures : std::min(limits.pictures, length);
+}
+
+}  // namespace
 
 int run_command(const RunOptions& options, std::ostream& out) {
-  const Catalog catalog = load_catalog(options.catalog);
-  const std::unique_ptr<Camera> camera = open_source(options.source, catalog);
-  const std::unique_ptr<Display> display = open_display(options.display.empty() ? "window" : options.display, {});
-  Gpu gpu({.needs = display->needs()});
+  const fs::path file = catalog_file(options);
+  const Catalog catalog = load_catalog(file);
+  const std::string spec = display_spec(options);
+  const bool offscreen = spec.starts_with("offscreen");
+  const std::unique_ptr<Camera> camera = open_source(source_for(options.source, offscreen), catalog);
+  const double rate = camera->rate() > 0 ? camera->rate() : 30;
+  const std::unique_ptr<Display> display = open_display(spec, {.rate = rate});
+  Gpu gpu({.needs = display->needs(), .validation = set("ONESTROKE_VALIDATION")});
   display->attach(gpu);
   Renderer renderer(gpu);
-  PictureHandle picture;
-  for (int n = 0; !display->closed() && (!options.frames || n < *options.frames); ++n) {
-    if (camera->next(picture) == Camera::Status::end) break;
-    if (picture) renderer.set_picture(*picture);
-    FrameInfo frame;
-    display->begin(frame);
-    if (frame.should_render && !renderer.draw({}, frame)) throw Error(renderer.failure());
-    display->end(frame);
+  const ModelShelf shelf(catalog, file.parent_path(), renderer);
+  const ShowLimits limits = limits_for(options, *camera, offscreen);
+  const std::size_t expected = pictures_expected(limits, *camera);
+
+  catch_interrupt();
+  Tracker tracker(catalog);
+  const FrameFeed::Pace pace = pace_for(*camera, offscreen);
+  TrackingThread tracking(
+      *camera, tracker,
+      pace == FrameFeed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
+  {
+    Progress progress(!offscreen);
+    Show show({*display, renderer, tracking, shelf}, pace, options.mode);
+    show.run(limits, [&](std::size_t pictures) { progress.say(pictures, expected, " shown"); });
   }
   display->finish();
   for (const std::string& line : display->report()) out << line << '\n';
+  if (!out.flush())
+    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
+  if (tracking.finished() && !tracking.message().empty()) throw Error(tracking.message());
   return 0;
 }
 

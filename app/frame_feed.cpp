@@ -1,0 +1,120 @@
+#include "app/frame_feed.h"
+
+#include "core/pose_history.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace onestroke {
+namespace {
+
+constexpr Duration farthest_ahead = Duration::from_ms(100);
+// A recording that is later than this goes on from where it is, rather than hurry.
+constexpr Duration late = Duration::from_ms(100);
+// Less than half a screen's refresh.
+constexpr Duration near_enough = Duration::from_ms(4);
+
+}  // namespace
+
+void predict_record(const FrameRecord& from, const Picture& to, FrameRecord& predicted) {
+  predicted = from;
+  predicted.sequence = to.sequence;
+  predicted.time = to.exposure.middle();
+  predicted.T_world_camera = to.T_world_camera;
+  const Duration ahead = std::clamp(predicted.time - from.time, Duration{}, farthest_ahead);
+  const Pose T_now_then = inverse(to.T_world_camera) * from.T_world_camera;
+  for (int i = 0; i < predicted.marker_count; ++i) {
+    MarkerObservation& m = predicted.markers[static_cast<std::size_t>(i)];
+    m.T_camera_marker = T_now_then * advance(m.T_camera_marker, m.velocity, ahead);
+  }
+}
+
+FrameFeed::FrameFeed(TrackingThread& tracking, Pace pace, PictureTime mode)
+    : tracking_(tracking),
+      pace_(pace),
+      fresh_(mode == PictureTime::fresh && pace == Pace::newest),
+      tracked_(std::make_unique<FrameRecord>()),
+      pending_(std::make_unique<FrameRecord>()),
+      predicted_(std::make_unique<FrameRecord>()),
+      shown_(tracked_.get()) {}
+
+FrameFeed::Next FrameFeed::advance(Time display_time, bool (*stop)()) {
+  const Time before = shown_->time;
+  Next next = Next::same;
+  if (pace_ == Pace::newest) next = advance_newest();
+  if (pace_ == Pace::at_its_time) next = advance_at_its_time(display_time);
+  if (pace_ == Pace::each) next = advance_each(stop);
+  if (shown_->time != before || next == Next::picture) shown_since_ = display_time;
+  // What fades and gathers goes on while a picture stands, but not for long if no other comes.
+  const Duration standing = std::min(display_time - shown_since_, farthest_ahead);
+  now_ = std::max(now_, shown_->time + (pace_ == Pace::each ? Duration{} : standing));
+  return next;
+}
+
+FrameFeed::Next FrameFeed::advance_newest() {
+  const bool finished = tracking_.finished();
+  Next next = Next::same;
+  tracking_.drain([&](TrackedFrame& frame) {
+    *tracked_ = frame.record;
+    picture_ = std::move(frame.picture);
+    next = Next::picture;
+  });
+  if (finished && next == Next::same) return Next::end;
+  shown_ = tracked_.get();
+  if (!fresh_) return next;
+  // Every picture is offered here before it is tracked, so this one is at least as new as those above.
+  PictureHandle newest = tracking_.newest_picture();
+  const bool other = static_cast<bool>(newest);
+  if (other) newest_ = newest;
+  if (!newest_) return next;
+  picture_ = std::move(newest);
+  if (newest_->exposure.middle() > tracked_->time) {
+    predict_record(*tracked_, *newest_, *predicted_);
+    shown_ = predicted_.get();
+  }
+  return other ? Next::picture : Next::same;
+}
+
+FrameFeed::Next FrameFeed::advance_at_its_time(Time display_time) {
+  const bool finished = tracking_.finished();
+  if (!pending_any_ && !take_pending()) return finished ? Next::end : Next::same;
+  const Time due = began_display_ + (pending_->time - began_record_);
+  if (held_ || display_time - due > late) {
+    began_display_ = display_time;
+    began_record_ = pending_->time;
+    held_ = false;
+  } else if (due - display_time > near_enough) {
+    return Next::same;
+  }
+  return show_pending();
+}
+
+FrameFeed::Next FrameFeed::advance_each(bool (*stop)()) {
+  for (;;) {
+    const bool finished = tracking_.finished();
+    if (take_pending()) return show_pending();
+    if (finished || stop()) return Next::end;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+bool FrameFeed::take_pending() {
+  const auto take = [&](TrackedFrame& frame) {
+    *pending_ = frame.record;
+    pending_picture_ = std::move(frame.picture);
+  };
+  pending_any_ = tracking_.drain(take, 1) > 0;
+  return pending_any_;
+}
+
+FrameFeed::Next FrameFeed::show_pending() {
+  std::swap(tracked_, pending_);
+  shown_ = tracked_.get();
+  picture_ = std::move(pending_picture_);
+  pending_any_ = false;
+  return Next::picture;
+}
+
+}  // namespace onestroke
