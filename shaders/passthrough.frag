@@ -9,7 +9,7 @@ layout(location = 0) out vec4 color;
 
 const vec3 surround = vec3(0.006, 0.007, 0.009);
 // Round the picture its edge glows on dimly, so that it does not end like a cut. Widths in picture heights.
-const float glow = 0.25, border_width = 0.006, glow_width = 0.1;
+const float glow = 0.07, border_width = 0.006, glow_width = 0.1;
 
 // OpenCV's model; the caller has checked that r2 lies where it is monotonic.
 vec2 distort(vec2 n, float r2) {
