@@ -1,0 +1,111 @@
+#include "tracking/follower.h"
+
+#include "marker_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace onestroke::test {
+namespace {
+
+using Phase = Follower::Phase;
+
+Time at_ms(std::int64_t ms) {
+  return {ms * 1'000'000};
+}
+
+std::array<double, 36> unit_covariance() {
+  std::array<double, 36> c{};
+  for (std::size_t i = 0; i < 6; ++i) c[7 * i] = 1e-6;
+  return c;
+}
+
+/// Turns at 1 rad/s about z and moves at 100 mm/s along x.
+Pose moving(Time t) {
+  const double s = static_cast<double>(t.ns) * 1e-9;
+  return {exp_so3({0, 0, s}), {100 * s, 20, 400}};
+}
+
+Follower followed(std::initializer_list<std::int64_t> times) {
+  Follower f;
+  for (const std::int64_t ms : times) f.measured(at_ms(ms), moving(at_ms(ms)), {}, unit_covariance());
+  return f;
+}
+
+TEST(Follower, KnowsNothingAtFirst) {
+  const Follower f;
+  EXPECT_EQ(f.phase(), Phase::unknown);
+  EXPECT_FALSE(f.ever_seen());
+}
+
+TEST(Follower, OneMeasurementStandsStill) {
+  const Follower f = followed({100});
+  EXPECT_EQ(f.phase(), Phase::followed);
+  EXPECT_EQ(norm(f.velocity().linear), 0);
+  EXPECT_LT(norm(f.predict(at_ms(200)).translation - moving(at_ms(100)).translation), 1e-9);
+}
+
+TEST(Follower, PredictsConstantVelocity) {
+  const Follower f = followed({100, 133});
+  EXPECT_NEAR(f.velocity().linear.x, 100, 1e-6);
+  EXPECT_NEAR(f.velocity().angular.z, 1, 1e-6);
+  const Pose predicted = f.predict(at_ms(233)), truth = moving(at_ms(233));
+  EXPECT_LT(angle_between(predicted.rotation, truth.rotation), 1e-6);
+  EXPECT_LT(norm(predicted.translation - truth.translation), 1e-6);
+}
+
+TEST(Follower, AVelocityIsNotTakenAcrossALongGap) {
+  const Follower f = followed({0, 600});
+  EXPECT_EQ(norm(f.velocity().linear), 0);
+  EXPECT_EQ(norm(f.velocity().angular), 0);
+}
+
+TEST(Follower, TwoMeasurementsOfOneTimeGiveNoVelocity) {
+  const Follower f = followed({50, 50});
+  EXPECT_EQ(norm(f.velocity().linear), 0);
+}
+
+TEST(Follower, PassesFromPredictedToLostToForgotten) {
+  TrackerOptions options;
+  options.predict_for = Duration::from_ms(200);
+  options.report_lost_for = Duration::from_ms(300);
+  Follower f = followed({0, 33});
+  f.missed(at_ms(33 + 200), options);
+  EXPECT_EQ(f.phase(), Phase::followed) << "carried on to the end of its time";
+  f.missed(at_ms(33 + 201), options);
+  EXPECT_EQ(f.phase(), Phase::lost);
+  f.missed(at_ms(33 + 500), options);
+  EXPECT_EQ(f.phase(), Phase::lost);
+  f.missed(at_ms(33 + 501), options);
+  EXPECT_EQ(f.phase(), Phase::unknown);
+  EXPECT_FALSE(f.ever_seen());
+}
+
+TEST(Follower, AMeasurementEndsTheLoss) {
+  TrackerOptions options;
+  Follower f = followed({0, 33});
+  f.missed(at_ms(400), options);
+  ASSERT_EQ(f.phase(), Phase::lost);
+  f.measured(at_ms(430), moving(at_ms(430)), {}, unit_covariance());
+  EXPECT_EQ(f.phase(), Phase::followed);
+  EXPECT_EQ(norm(f.velocity().linear), 0) << "what it did while it was lost is not known";
+}
+
+TEST(Follower, WhatWasNeverSeenIsNotMissed) {
+  Follower f;
+  f.missed(at_ms(5000), {});
+  EXPECT_EQ(f.phase(), Phase::unknown);
+}
+
+TEST(Follower, PredictionsGrowUncertainWithTime) {
+  const Follower f = followed({0, 33});
+  const auto now = f.predicted_covariance(at_ms(33)), soon = f.predicted_covariance(at_ms(66)),
+             later = f.predicted_covariance(at_ms(133));
+  EXPECT_EQ(now, unit_covariance());
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_GT(soon[7 * i], now[7 * i]);
+    EXPECT_GT(later[7 * i], soon[7 * i]);
+  }
+}
+
+}  // namespace
+}  // namespace onestroke::test

@@ -1,0 +1,129 @@
+#include "tracking/segmentation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+namespace onestroke::test {
+namespace {
+
+using Rgb = std::array<double, 3>;
+
+// Printed inks under a white light that the camera is balanced for, as coded values.
+constexpr std::array<Rgb, 3> inks{{{190, 45, 40}, {45, 150, 60}, {40, 65, 170}}};
+
+struct Patch {
+  int width, height;
+  std::size_t stride;
+  std::vector<std::uint8_t> bytes;
+
+  Patch(Rgb color, int w, int h, std::size_t padding = 0)
+      : width(w),
+        height(h),
+        stride(3 * static_cast<std::size_t>(w) + padding),
+        bytes(stride * static_cast<std::size_t>(h), 255) {
+    for (int y = 0; y < h; ++y)
+      for (int x = 0; x < w; ++x)
+        for (std::size_t c = 0; c < 3; ++c)
+          bytes[static_cast<std::size_t>(y) * stride + 3 * static_cast<std::size_t>(x) + c] =
+              static_cast<std::uint8_t>(std::clamp(color[c] + 0.5, 0.0, 255.0));
+  }
+  ImageView view() const { return {bytes.data(), width, height, stride}; }
+};
+
+/// The one label of a flat patch.
+int label_of(const Rgb& color, const SegmentationOptions& options = {}) {
+  const Patch patch(color, 5, 3);
+  std::vector<std::uint8_t> labels;
+  segment(patch.view(), options, labels);
+  EXPECT_EQ(labels.size(), 15u);
+  const std::set<int> all(labels.begin(), labels.end());
+  EXPECT_EQ(all.size(), 1u);
+  return *all.begin();
+}
+
+Rgb scaled(const Rgb& color, const Rgb& by) {
+  return {color[0] * by[0], color[1] * by[1], color[2] * by[2]};
+}
+
+TEST(Segmentation, InksKeepTheirLabelFromFullLightToDeepShade) {
+  for (int ink = 0; ink < 3; ++ink)
+    for (const double light : {1.3, 1.0, 0.6, 0.3, 0.12})
+      EXPECT_EQ(label_of(scaled(inks[static_cast<std::size_t>(ink)], {light, light, light})), ink) << "light " << light;
+}
+
+TEST(Segmentation, InksKeepTheirLabelUnderMildColourCasts) {
+  for (int ink = 0; ink < 3; ++ink)
+    for (const Rgb& cast : {Rgb{1.15, 1, 0.8}, Rgb{0.85, 1, 1.15}, Rgb{1, 1.1, 1}})
+      EXPECT_EQ(label_of(scaled(inks[static_cast<std::size_t>(ink)], cast)), ink);
+}
+
+TEST(Segmentation, BlueGainReadsLamplight) {
+  constexpr Rgb lamplight{1.25, 0.95, 0.42};
+  const Rgb blue = scaled({70, 75, 170}, lamplight);
+  EXPECT_NE(label_of(blue), 2);
+  SegmentationOptions warm;
+  warm.blue_gain = 1.6F;
+  EXPECT_EQ(label_of(blue, warm), 2);
+  EXPECT_EQ(label_of(scaled(inks[0], lamplight), warm), 0);
+  EXPECT_EQ(label_of(scaled(inks[1], lamplight), warm), 1);
+}
+
+TEST(Segmentation, GreysAndMixturesAreNoInk) {
+  for (double level = 0; level <= 255; level += 5) EXPECT_EQ(label_of({level, level, level}), no_ink);
+  EXPECT_EQ(label_of({200, 195, 60}), no_ink) << "yellow";
+  EXPECT_EQ(label_of({60, 200, 195}), no_ink) << "cyan";
+  EXPECT_EQ(label_of({195, 60, 200}), no_ink) << "magenta";
+  EXPECT_EQ(label_of({9, 3, 3}), no_ink) << "black, but for its noise";
+}
+
+TEST(Segmentation, MarginsDecide) {
+  SegmentationOptions options;
+  options.relative_margin = 0.4F;
+  options.absolute_margin = 20;
+  EXPECT_EQ(label_of({100, 59, 20}, options), 0);
+  EXPECT_EQ(label_of({100, 62, 20}, options), no_ink) << "less than the relative margin";
+  EXPECT_EQ(label_of({30, 12, 12}, options), no_ink) << "less than the absolute margin";
+  EXPECT_EQ(label_of({33, 12, 12}, options), 0);
+}
+
+TEST(Segmentation, RowPaddingIsNoPicture) {
+  const Patch patch(inks[2], 7, 4, 11);
+  std::vector<std::uint8_t> labels(3, 99);
+  segment(patch.view(), {}, labels);
+  ASSERT_EQ(labels.size(), 28u);
+  EXPECT_EQ(std::count(labels.begin(), labels.end(), 2), 28);
+}
+
+TEST(Segmentation, LabelsStandWhereTheirPixelsAre) {
+  Patch patch({128, 128, 128}, 6, 5);
+  const std::size_t at = 3 * patch.stride + 3 * 4;
+  patch.bytes[at] = 220;
+  std::vector<std::uint8_t> labels;
+  segment(patch.view(), {}, labels);
+  for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_EQ(labels[i], i == 3 * 6 + 4 ? 0 : no_ink) << i;
+}
+
+TEST(Smoothing, KeepsFlatColoursAndQuietsNoise) {
+  Patch patch({120, 80, 40}, 64, 64, 5);
+  std::vector<std::uint8_t> out;
+  smooth(patch.view(), 2, out);
+  ASSERT_EQ(out.size(), 3u * 64 * 64);
+  for (std::size_t i = 0; i < out.size(); ++i) ASSERT_EQ(out[i], i % 3 == 0 ? 120 : i % 3 == 1 ? 80 : 40);
+
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(128, 12);
+  for (std::uint8_t& b : patch.bytes) b = static_cast<std::uint8_t>(noise(random));
+  smooth(patch.view(), 2, out);
+  double sum = 0, square = 0;
+  for (const std::uint8_t b : out) sum += b, square += b * b;
+  const double n = static_cast<double>(out.size()), mean = sum / n;
+  EXPECT_NEAR(mean, 127.5, 1);
+  // A Gaussian of sigma s leaves 1 / (4 pi s^2) of the variance: 2 % here, and rounding's twelfth.
+  EXPECT_LT(square / n - mean * mean, 0.04 * 144);
+}
+
+}  // namespace
+}  // namespace onestroke::test
