@@ -46,10 +46,14 @@ FrameFeed::Next FrameFeed::advance(Time display_time, bool (*stop)()) {
   if (pace_ == Pace::newest) next = advance_newest();
   if (pace_ == Pace::at_its_time) next = advance_at_its_time(display_time);
   if (pace_ == Pace::each) next = advance_each(stop);
-  if (shown_->time != before || next == Next::picture) shown_since_ = display_time;
+  if (shown_->time != before || next == Next::picture) {
+    shown_since_ = display_time;
+    any_shown_ = true;
+  }
   // What fades and gathers goes on while a picture stands, but not for long if no other comes.
-  const Duration standing = std::min(display_time - shown_since_, farthest_ahead);
-  now_ = std::max(now_, shown_->time + (pace_ == Pace::each ? Duration{} : standing));
+  const bool goes_on = any_shown_ && pace_ != Pace::each;
+  const Duration standing = goes_on ? std::min(display_time - shown_since_, farthest_ahead) : Duration{};
+  now_ = std::max(now_, shown_->time + standing);
   return next;
 }
 

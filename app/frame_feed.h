@@ -50,7 +50,7 @@ class FrameFeed {
   PictureHandle picture_, pending_picture_, newest_;
   std::unique_ptr<FrameRecord> tracked_, pending_, predicted_;
   const FrameRecord* shown_;
-  bool pending_any_ = false, held_ = true;
+  bool pending_any_ = false, any_shown_ = false, held_ = true;
   Time began_display_, began_record_;  // The same moment on both clocks.
   Time now_, shown_since_;
 };

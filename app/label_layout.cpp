@@ -12,12 +12,14 @@ namespace {
 constexpr double nearest = 30;                          // mm
 constexpr double gap_ems = 0.7, edge_ems = 0.5;         // from the ball, from the view's edge
 constexpr double plate_width_ems = 1, line_ems = 1.75;  // the plate is wider than its text; its height with a gap
+constexpr double leads_to = 0.5;                        // of the reach, above the centre
 constexpr double lift_within_ems = 2;                   // two labels that come so close begin to make way
 
 /// Pixels of the viewport, from its top left corner.
 struct Placed {
   bool seen = false;
   double u = 0, v = 0, width = 0, depth = 0;
+  Vec3 leader_view;
 };
 
 double focal_of(const View& view) {
@@ -28,8 +30,11 @@ Placed place(const View& view, const LabelWish& wish, double em) {
   const Vec3 centre = inverse(view.T_world_view) * wish.centre_world;
   if (centre.z < nearest) return {};
   const double focal = focal_of(view), edge = edge_ems * em;
-  Placed p{.seen = true, .width = (static_cast<double>(measure(wish.text).width) + plate_width_ems) * em};
+  Placed p;
+  p.seen = true;
+  p.width = (static_cast<double>(measure(wish.text).width) + plate_width_ems) * em;
   p.depth = centre.z;
+  p.leader_view = centre - Vec3{0, leads_to * wish.reach, 0};
   p.u = (centre.x / centre.z - view.fov.left) * focal;
   p.v = (centre.y / centre.z + view.fov.up) * focal - wish.reach / centre.z * focal - gap_ems * em;
   const double half = p.width / 2 + edge;
@@ -63,7 +68,7 @@ void place_labels(const View& view, std::span<const LabelWish> wishes, std::span
     places[i].reset();
     if (!p.seen) continue;
     const Vec3 in_view{(p.u / focal + view.fov.left) * p.depth, (p.v / focal - view.fov.up) * p.depth, p.depth};
-    places[i] = LabelPlace{view.T_world_view * in_view, em};
+    places[i] = LabelPlace{view.T_world_view * in_view, view.T_world_view * p.leader_view, em};
   }
 }
 

@@ -15,9 +15,9 @@ struct LabelWish {
   double reach = 0;  ///< mm
 };
 
-/// Where a label's lower middle goes, and the line from it to its ball's centre.
 struct LabelPlace {
-  Vec3 position_world;
+  Vec3 position_world;  ///< Of the label's lower middle.
+  Vec3 leader_world;    ///< Inside the ball: where a line from the label leads.
   double height_px = 0;
 };
 

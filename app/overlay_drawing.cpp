@@ -98,9 +98,16 @@ class MarkerDrawing {
                                                                   : ", lost";
     words.print("%s: %d cells, %.0f mm%s", marker_.name.data(), marker_.cells_seen,
                 norm(marker_.T_camera_marker.translation), state);
-    const double height = 15 * scale_, width = Canvas::text_width(height, words.view()), edge = 4 * scale_;
-    const double left = std::clamp(origin->u + 12 * scale_, edge, std::max(edge, canvas_.width() - width - edge));
-    const double top = std::clamp(origin->v + 12 * scale_, edge, std::max(edge, canvas_.height() - 1.5 * height));
+    const double height = 15 * scale_, width = Canvas::text_width(height, words.view()), edge = 4 * scale_,
+                 gap = 14 * scale_;
+    // Outside the corner, where no arm is.
+    const Vec3 arms = marker_.T_camera_marker * (0.5 * (shape_.at(0).position + shape_.at(shape_.length()).position));
+    const auto inner = pixel_of(intrinsics_, arms);
+    const bool to_right = !inner || inner->u <= origin->u, below = !inner || inner->v <= origin->v;
+    const double wanted_left = origin->u + (to_right ? gap : -gap - width);
+    const double wanted_top = origin->v + (below ? gap : -gap - 1.2 * height);
+    const double left = std::clamp(wanted_left, edge, std::max(edge, canvas_.width() - width - edge));
+    const double top = std::clamp(wanted_top, edge, std::max(edge, canvas_.height() - 1.5 * height));
     canvas_.box(left - edge, top - edge / 2, left + width + edge, top + 1.2 * height + edge / 2, {0, 0, 0, 0.6});
     canvas_.text(left, top, height, words.view(), ink());
   }

@@ -3,13 +3,18 @@
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace onestroke {
 
-TrackCrew::TrackCrew(Camera& camera, const Catalog& catalog, const TrackerOptions& options, int threads,
+TrackCrew::TrackCrew(Camera& camera, Catalog catalog, const TrackerOptions& options, int threads,
                      std::optional<int> most_pictures)
-    : camera_(camera), catalog_(catalog), options_(options), threads_(threads), most_pictures_(most_pictures) {}
+    : camera_(camera),
+      catalog_(std::move(catalog)),
+      options_(options),
+      threads_(threads),
+      most_pictures_(most_pictures) {}
 
 void TrackCrew::run(const Describe& describe, const Deliver& deliver) {
   {

@@ -22,7 +22,7 @@ class TrackCrew {
   /// Takes a line; on any of the threads, one at a time and in the pictures' order.
   using Deliver = std::function<void(const std::string& line, const FrameRecord&)>;
 
-  TrackCrew(Camera& camera, const Catalog& catalog, const TrackerOptions& options, int threads,
+  TrackCrew(Camera& camera, Catalog catalog, const TrackerOptions& options, int threads,
             std::optional<int> most_pictures);
 
   /// Works until the camera ends or most_pictures are done. The calling thread is one of the threads. Passes on the
@@ -37,7 +37,7 @@ class TrackCrew {
   void fail() noexcept;
 
   Camera& camera_;
-  const Catalog& catalog_;
+  const Catalog catalog_;
   const TrackerOptions options_;
   const int threads_;
   const std::optional<int> most_pictures_;

@@ -127,7 +127,7 @@ void TwoHands::add_labels(const View& view) {
                                .color = faded(Color{}, hand.opacity),
                                .plate = faded(hand.leads ? leading_plate : Label{}.plate, hand.opacity),
                                .on_top = true};
-    add_line(places[i]->position_world, wishes[i].centre_world, 1.5, faded(leader_color, hand.opacity));
+    add_line(places[i]->position_world, places[i]->leader_world, 1.5, faded(leader_color, hand.opacity));
   }
 }
 

@@ -138,6 +138,7 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "run --fov 35 --fov 36",
                          "track",
                          "track --catalog c.db --threads 0",
+                         "track --catalog c.db --threads 2",
                          "track --catalog c.db --display window",
                          "marker",
                          "marker bla",
@@ -174,7 +175,8 @@ TEST(CommandLine, EveryCameraButTheSyntheticNeedsItsLensKnown) {
 
 TEST(CommandLine, HelpTeaches) {
   EXPECT_THAT(printed("--help"), AllOf(HasSubstr("Examples:"), HasSubstr("Units:"), HasSubstr("Exit codes:")));
-  EXPECT_THAT(printed("run --help"), AllOf(HasSubstr("onestroke run --camera"), HasSubstr("Default: exposure")));
+  EXPECT_THAT(printed("run --help"),
+              AllOf(HasSubstr("onestroke run --camera"), HasSubstr("Default: exposure"), HasSubstr("Keys")));
   EXPECT_THAT(printed("track --help"), HasSubstr("p_camera = R p_marker + t"));
   EXPECT_THAT(printed("marker --help"), HasSubstr("onestroke marker import"));
   EXPECT_THAT(printed("marker import --help"), HasSubstr("--replace"));

@@ -1,0 +1,151 @@
+#include "app/frame_feed.h"
+
+#include "counting_camera.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace onestroke {
+namespace {
+
+using Next = FrameFeed::Next;
+
+Time at_ms(double ms) {
+  return Time{} + Duration::from_ms(ms);
+}
+bool never() {
+  return false;
+}
+bool always() {
+  return true;
+}
+
+class Feed : public testing::Test {
+ protected:
+  void start(std::size_t pictures, TrackingThread::Pacing pacing) {
+    camera.emplace(pictures);
+    tracking.emplace(*camera, tracker, pacing);
+  }
+  /// Until the thread has put something into the queue; bounded by the test's own time limit.
+  Next until_not_same(FrameFeed& feed, Time display_time) {
+    for (;;) {
+      const Next next = feed.advance(display_time, never);
+      if (next != Next::same) return next;
+      std::this_thread::yield();
+    }
+  }
+
+  Tracker tracker{{{{1, "m01", encode(1, 36), Shape::angle(36, 4, 3, 0), ""}}}, {.independent = true}};
+  std::optional<CountingCamera> camera;
+  std::optional<TrackingThread> tracking;
+};
+
+TEST_F(Feed, EachPictureIsAFrame) {
+  start(20, TrackingThread::Pacing::every);
+  FrameFeed feed(*tracking, FrameFeed::Pace::each, PictureTime::fresh);
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    ASSERT_EQ(feed.advance(at_ms(1000), never), Next::picture);
+    const PictureHandle picture = feed.take_picture();
+    EXPECT_EQ(picture->sequence, i);
+    EXPECT_EQ(feed.record().sequence, i);
+    EXPECT_EQ(feed.now(), feed.record().time);
+    EXPECT_FALSE(feed.take_picture());
+  }
+  EXPECT_EQ(feed.advance(at_ms(1000), never), Next::end);
+}
+
+TEST_F(Feed, WaitingForAPictureCanBeStopped) {
+  CountingCamera starved(5, 1);
+  PictureHandle held;
+  ASSERT_EQ(starved.next(held), Camera::Status::ok);
+  tracking.emplace(starved, tracker, TrackingThread::Pacing::every);
+  FrameFeed feed(*tracking, FrameFeed::Pace::each, PictureTime::exposure);
+  EXPECT_EQ(feed.advance(at_ms(0), always), Next::end);
+  tracking.reset();
+}
+
+TEST_F(Feed, ARecordingComesAtItsOwnPace) {
+  start(6, TrackingThread::Pacing::every);  // a picture every 10 ms
+  FrameFeed feed(*tracking, FrameFeed::Pace::at_its_time, PictureTime::exposure);
+  ASSERT_EQ(until_not_same(feed, at_ms(5000)), Next::picture);
+  EXPECT_EQ(feed.record().sequence, 0u);
+  EXPECT_EQ(feed.advance(at_ms(5002), never), Next::same);
+  EXPECT_EQ(feed.advance(at_ms(5005), never), Next::same);
+  EXPECT_EQ(feed.now(), feed.record().time + Duration::from_ms(5));
+  ASSERT_EQ(until_not_same(feed, at_ms(5010)), Next::picture);
+  EXPECT_EQ(feed.record().sequence, 1u);
+  ASSERT_EQ(until_not_same(feed, at_ms(5021)), Next::picture);
+  // Much too late: goes on from there instead of rushing.
+  ASSERT_EQ(until_not_same(feed, at_ms(6000)), Next::picture);
+  EXPECT_EQ(feed.record().sequence, 3u);
+  EXPECT_EQ(feed.advance(at_ms(6003), never), Next::same);
+  ASSERT_EQ(until_not_same(feed, at_ms(6010)), Next::picture);
+  // After a pause the next picture comes at once.
+  feed.hold();
+  ASSERT_EQ(until_not_same(feed, at_ms(6012)), Next::picture);
+  EXPECT_EQ(feed.record().sequence, 5u);
+  EXPECT_EQ(until_not_same(feed, at_ms(6050)), Next::end);
+}
+
+TEST_F(Feed, OfADevicesPicturesTheNewestIsShown) {
+  start(200, TrackingThread::Pacing::newest);
+  FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::exposure);
+  std::int64_t last = -1;
+  Time now;
+  while (until_not_same(feed, at_ms(static_cast<double>(++last))) == Next::picture) {
+    const PictureHandle picture = feed.take_picture();
+    EXPECT_EQ(picture->sequence, feed.record().sequence);
+    EXPECT_GE(feed.now(), now);
+    now = feed.now();
+  }
+}
+
+TEST_F(Feed, FreshShowsAPictureAtMostAsOldAsItsRecord) {
+  start(200, TrackingThread::Pacing::newest);
+  FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::fresh);
+  Time shown;
+  for (double ms = 0;; ms += 1) {
+    const Next next = until_not_same(feed, at_ms(ms));
+    if (next == Next::end) break;
+    const PictureHandle picture = feed.take_picture();
+    EXPECT_GE(picture->exposure.middle(), shown);
+    EXPECT_EQ(picture->exposure.middle(), feed.record().time);
+    shown = picture->exposure.middle();
+  }
+  EXPECT_EQ(shown, at_ms(1990)) << "the last picture of all";
+}
+
+TEST(PredictRecord, CarriesMarkersOnByTheirVelocities) {
+  FrameRecord from;
+  from.time = at_ms(1000);
+  from.T_world_camera = {exp_so3({0, 0.3, 0}), {10, 20, 30}};
+  from.marker_count = 1;
+  MarkerObservation& m = from.markers[0];
+  m.state = MarkerState::measured;
+  m.T_camera_marker = {exp_so3({0.1, 0.2, 0.3}), {5, 6, 400}};
+  m.velocity = {{0, 0, 2}, {100, 0, -50}};
+  Picture to;
+  to.sequence = 9;
+  to.exposure.start = at_ms(1050);
+  to.T_world_camera = {exp_so3({0, 0.35, 0}), {12, 20, 30}};
+  FrameRecord predicted;
+  predict_record(from, to, predicted);
+  EXPECT_EQ(predicted.sequence, 9u);
+  EXPECT_EQ(predicted.time, at_ms(1050));
+  const Pose expected{exp_so3({0, 0, 0.1}) * m.T_camera_marker.rotation, {10, 6, 397.5}};
+  const Pose world = from.T_world_camera * expected;
+  const Pose got = predicted.T_world_camera * predicted.markers[0].T_camera_marker;
+  EXPECT_NEAR(norm(got.translation - world.translation), 0, 1e-9);
+  EXPECT_NEAR(angle_between(got.rotation, world.rotation), 0, 1e-7);
+
+  to.exposure.start = at_ms(5000);
+  predict_record(from, to, predicted);
+  const Vec3 far = from.T_world_camera * Vec3{15, 6, 395};
+  EXPECT_NEAR(norm(predicted.T_world_camera * predicted.markers[0].T_camera_marker.translation - far), 0, 1e-9)
+      << "100 ms at most";
+}
+
+}  // namespace
+}  // namespace onestroke

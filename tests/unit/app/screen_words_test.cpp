@@ -1,0 +1,92 @@
+#include "app/label_layout.h"
+#include "app/status_line.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace onestroke {
+namespace {
+
+constexpr Viewport viewport{0, 0, 1280, 720};
+
+View view_of(const Pose& T_world_view = {}) {
+  const Intrinsics k = Intrinsics::from_fov(1280, 720, 1);
+  return {T_world_view, fov_of(k, 1280, 720), viewport};
+}
+
+struct Spot {
+  double u = 0, v = 0;
+};
+
+Spot seen(const View& view, Vec3 world) {
+  const Vec3 p = inverse(view.T_world_view) * world;
+  const double focal = view.viewport.height / (view.fov.up - view.fov.down);
+  return {(p.x / p.z - view.fov.left) * focal, (p.y / p.z + view.fov.up) * focal};
+}
+
+std::array<std::optional<LabelPlace>, 2> places(const View& view, LabelWish a, LabelWish b) {
+  std::array<std::optional<LabelPlace>, 2> result;
+  place_labels(view, std::array{a, b}, result);
+  return result;
+}
+
+TEST(LabelLayout, StandsAboveWhatItNames) {
+  const View view = view_of({exp_so3({0.1, -0.4, 0.2}), {30, -20, 10}});
+  const Vec3 left = view.T_world_view * Vec3{-90, 0, 450}, right = view.T_world_view * Vec3{90, 10, 450};
+  const auto [a, b] = places(view, {"left", left, 50}, {"right", right, 50});
+  ASSERT_TRUE(a && b);
+  const double reach_px = 50.0 / 450 * 720 / (view.fov.up - view.fov.down);
+  EXPECT_NEAR(seen(view, a->position_world).u, seen(view, left).u, 0.01);
+  EXPECT_LT(seen(view, a->position_world).v, seen(view, left).v - reach_px);
+  EXPECT_GT(seen(view, a->position_world).v, seen(view, left).v - reach_px - 40);
+  EXPECT_LT(norm(a->leader_world - left), 50);
+  EXPECT_NEAR(seen(view, a->leader_world).u, seen(view, left).u, 0.01);
+}
+
+TEST(LabelLayout, StaysInsideTheView) {
+  const View view = view_of();
+  for (const Vec3 at : {Vec3{-1000, -900, 450}, Vec3{1000, -900, 450}, Vec3{1000, 900, 450}, Vec3{0, -200, 450}}) {
+    const auto [a, b] = places(view, {"bracket v1 (predicted)", at, 50}, {"", {0, 0, -100}, 50});
+    ASSERT_TRUE(a);
+    EXPECT_FALSE(b) << "behind the view";
+    const Spot spot = seen(view, a->position_world);
+    EXPECT_GE(spot.u, 60);
+    EXPECT_LE(spot.u, 1220);
+    EXPECT_GE(spot.v, 30);
+    EXPECT_LE(spot.v, 720);
+  }
+}
+
+TEST(LabelLayout, MakesRoomWithoutJumps) {
+  const View view = view_of();
+  std::optional<Spot> before;
+  for (double apart = 300; apart >= -300; apart -= 0.5) {
+    const auto [a, b] = places(view, {"bracket v1", {-apart / 2, 0, 450}, 45}, {"bracket v2", {apart / 2, 2, 450}, 45});
+    const Spot one = seen(view, a->position_world), two = seen(view, b->position_world);
+    const bool overlap = std::abs(one.u - two.u) < 90 && std::abs(one.v - two.v) < 25;
+    EXPECT_FALSE(overlap) << apart;
+    const double moved = before ? std::hypot(one.u - before->u, one.v - before->v) : 0;
+    EXPECT_LT(moved, 4) << apart;
+    before = one;
+  }
+}
+
+TEST(StatusLine, CountsPicturesAndFrames) {
+  StatusLine status(true);
+  FrameRecord record;
+  record.cost = Duration::from_ms(8);
+  std::string_view words;
+  // Two seconds of 60 frames a second, a new picture in every second one.
+  for (int i = 0; i <= 120; ++i)
+    words = status.update(record, i % 2 == 0, 3, Time{1'000'000'000} + Duration::from_seconds(i / 60.0));
+  EXPECT_EQ(words, "Tracker 8.0 ms · 30 pictures/s · 60 frames/s · 3 pictures left out");
+  StatusLine still(false);
+  for (int i = 0; i < 100; ++i) words = still.update(record, true, 0, Time{1} + Duration::from_ms(i));
+  EXPECT_EQ(words, "Tracker 8.0 ms a picture");
+}
+
+}  // namespace
+}  // namespace onestroke
