@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/sensor.h"
 #include "core/pose.h"
 #include "marker/catalog.h"
 
@@ -14,8 +15,7 @@ namespace onestroke::test {
 inline constexpr double radian = std::numbers::pi / 180;
 
 inline MarkerSpec angle_marker(int id, double bend_radius = 0) {
-  constexpr std::uint64_t spread = 0x9e3779b97f4a7c15ULL;
-  const std::uint64_t value = (spread * static_cast<std::uint64_t>(id)) & ((1ULL << 34) - 1);
+  const std::uint64_t value = scramble(static_cast<std::uint64_t>(id)) & ((1ULL << 34) - 1);
   return {id, "m" + std::to_string(id), encode(value, 36), Shape::angle(36, 4, 3, bend_radius), ""};
 }
 

@@ -78,8 +78,8 @@ TEST(Tracker, AMarkerThatIsNotInTheCatalogueIsNotNamed) {
   const Catalog catalog = catalog_of(6);
   const MarkerSpec stranger = angle_marker(17);
   Tracker tracker(catalog);
-  for (int i = 0; i < 5; ++i) {
-    const Shot shot = shoot(stranger, view(1.2 * i));
+  for (int i = 0; i < 3; ++i) {
+    const Shot shot = shoot(stranger, view(2 * i));
     EXPECT_EQ(process(tracker, shot.picture(33 * i)).marker_count, 0) << i;
   }
 }
@@ -178,7 +178,7 @@ TEST_F(TrackerLoss, IndependentAnswersDoNotDependOnTheOrder) {
   const FrameRecord a = process(fresh, with.picture(10)), b = process(used, with.picture(10));
   ASSERT_EQ(a.marker_count, 1);
   ASSERT_EQ(b.marker_count, 1);
-  EXPECT_EQ(turn_between(a.markers[0].T_camera_marker, b.markers[0].T_camera_marker), 0);
+  EXPECT_LT(turn_between(a.markers[0].T_camera_marker, b.markers[0].T_camera_marker), 1e-9);
   EXPECT_EQ(a.markers[0].T_camera_marker.translation, b.markers[0].T_camera_marker.translation);
 }
 
