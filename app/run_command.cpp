@@ -17,6 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The demo's camera, which is also the synthetic one where nothing more is said of it: hands, a lens and a sensor like
+// any other.
+constexpr const char* plain_synthetic = "synthetic";
+constexpr const char* demo_camera = "synthetic:fingers=1,noise=2,blur=0.5";
 // What two hands do before the synthetic camera, once.
 constexpr double script_seconds = 24;
 
@@ -43,6 +47,7 @@ std::string display_spec(const RunOptions& options) {
 
 /// On a screen the synthetic camera takes its pictures in real time, unless told otherwise.
 SourceOptions source_for(SourceOptions source, bool offscreen) {
+  if (source.camera == plain_synthetic) source.camera = demo_camera;
   const bool synthetic = source.camera.starts_with("synthetic");
   if (!synthetic || offscreen || source.camera.find("live=") != std::string::npos) return source;
   source.camera += source.camera.find(':') == std::string::npos ? ":live=1" : ",live=1";

@@ -1,0 +1,102 @@
+// `onestroke run`, the built program as a person runs it, into files.
+#include "golden/comparator.h"
+#include "shell.h"
+
+#include <gmock/gmock.h>
+
+namespace onestroke {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::ptrdiff_t count_of(const fs::path& folder, const std::string& ending) {
+  return std::count_if(fs::directory_iterator(folder), {},
+                       [&](const fs::directory_entry& e) { return e.path().extension() == ending; });
+}
+
+class RunProgram : public ProgramTest {
+ protected:
+  const std::string small = "run --camera synthetic:script=still,width=320,height=240 ";
+};
+
+TEST_F(RunProgram, DrawsTheDemoIntoFiles) {
+  const Ended ended = run("run --display offscreen:film --frames 20");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "") << "nothing to say for validation either";
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("film/film.mp4, 20 frames"), HasSubstr("frame_000019.png")));
+  EXPECT_EQ(count_of(folder / "film", ".png"), 20);
+  EXPECT_GT(fs::file_size(folder / "film" / "film.mp4"), 10'000u);
+  const golden::Picture first = golden::read_png(folder / "film" / "frame_000000.png");
+  EXPECT_EQ(first.width, 1280);
+  EXPECT_EQ(first.height, 720);
+}
+
+TEST_F(RunProgram, WithoutADesktopGoesIntoFilesByItself) {
+  const Ended ended = run("run --frames 2");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(count_of(folder / "out" / "demo", ".png"), 2);
+}
+
+TEST_F(RunProgram, ShowsTheSameTwice) {
+  const std::string options = small + "--display offscreen:";
+  EXPECT_EQ(run(options + "a --frames 8").code, 0);
+  EXPECT_EQ(run(options + "b --frames 8").code, 0);
+  // The line at the foot tells how long the tracker took.
+  const auto upper = [&](const std::string& film) {
+    golden::Picture p = golden::read_png(folder / film / "frame_000007.png");
+    p.height -= 60;
+    p.rgb.resize(3 * static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height));
+    return p;
+  };
+  EXPECT_TRUE(golden::compare(upper("a"), upper("b"), {.level = 0}).same);
+}
+
+TEST_F(RunProgram, EndsWithTheTimeOrTheCamera) {
+  EXPECT_EQ(run(small + "--display offscreen:a --seconds 0.2").code, 0);
+  EXPECT_EQ(count_of(folder / "a", ".png"), 6);
+  EXPECT_EQ(run("run --camera synthetic:script=still,width=320,height=240,seconds=0.1 --display offscreen:b").code, 0);
+  EXPECT_EQ(count_of(folder / "b", ".png"), 3);
+}
+
+TEST_F(RunProgram, MarkersWithoutAModelAreShownAllTheSame) {
+  ASSERT_EQ(run("marker import " + demo_catalog + " --catalog bare.db").code, 0);
+  ASSERT_EQ(run("marker export --catalog bare.db --output bare.json").code, 0);
+  std::string text = read("bare.json");
+  for (const std::string model : {R"(,"model":"bracket_v1.glb")", R"(,"model":"bracket_v2.glb")"}) {
+    const std::size_t at = text.find(model);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.erase(at, model.size());
+  }
+  write("bare.json", text);
+  const Ended ended = run("run --camera synthetic:script=still --catalog bare.json --display offscreen:a --frames 8");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(count_of(folder / "a", ".png"), 8);
+}
+
+TEST_F(RunProgram, SaysWhatIsWrong) {
+  const Ended usage = run("run --fresh");
+  EXPECT_EQ(usage.code, 2);
+  EXPECT_THAT(usage.err, HasSubstr("onestroke run --help"));
+  const Ended catalog = run("run --catalog none.db --display offscreen:a");
+  EXPECT_EQ(catalog.code, 1);
+  EXPECT_THAT(catalog.err, HasSubstr("none.db cannot be read"));
+  const Ended assets = run("run --display offscreen:a", "ONESTROKE_ASSETS=elsewhere");
+  EXPECT_EQ(assets.code, 1);
+  EXPECT_THAT(assets.err, AllOf(HasSubstr("elsewhere/catalog.json"), HasSubstr("ONESTROKE_ASSETS")));
+  // The catalogue's models are looked for beside it.
+  fs::copy_file(demo_catalog, folder / "catalog.json");
+  const Ended model = run("run --catalog catalog.json --display offscreen:a");
+  EXPECT_EQ(model.code, 1);
+  EXPECT_THAT(model.err, AllOf(HasSubstr("marker 1 (bracket v1)"), HasSubstr("bracket_v1.glb")));
+  const Ended window = run("run --display window");
+  EXPECT_EQ(window.code, 1);
+  EXPECT_THAT(window.err, HasSubstr("--display offscreen:DIR"));
+  for (const Ended& ended : {catalog, assets, model, window})
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
+}  // namespace
+}  // namespace onestroke
