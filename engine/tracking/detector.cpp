@@ -10,6 +10,8 @@ namespace {
 
 constexpr int max_proofs_per_marker = 8;
 constexpr int max_rolls = 4;
+constexpr std::size_t max_rolls_proven = 14, max_singles = 24;
+constexpr double min_roll_evidence = -4;
 // A short or noisy row leaves its tilt to the camera uncertain by about this much, radians.
 constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 
@@ -25,6 +27,20 @@ bool overlap(double reach, const Detection& a, const Detection& b) {
     shared += std::any_of(b.appearance.cells.begin(), b.appearance.cells.end(),
                           [&](const CellCentre& q) { return std::hypot(p.u - q.u, p.v - q.v) < reach; });
   return shared >= 3;
+}
+
+// Two starts from which the refinement ends in the same place.
+bool alike(const EigenPose& a, const EigenPose& b) {
+  const double turn = std::acos(std::clamp(((a.R * b.R.transpose()).trace() - 1) / 2, -1.0, 1.0));
+  return turn < 0.015 && (a.t - b.t).norm() < 0.007 * a.t.norm();
+}
+
+bool same_row(const Proposal& a, const Proposal& b) {
+  if (a.marker != b.marker) return false;
+  int same = 0;
+  for (const CellPoint& p : a.points)
+    for (const CellPoint& q : b.points) same += p.cell == q.cell && (p.pixel - q.pixel).norm() < 4;
+  return same >= 3 && same + 1 >= static_cast<int>(std::max(a.points.size(), b.points.size()));
 }
 
 // A row is settled where a detection explains it and shows both arms well.
@@ -75,7 +91,7 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
   if (rod.has_roll() && !both) return false;
   // Two fingers cover half an arm; where less agrees, the pose is right for one arm only.
   if (a.weakest_share < 0.25) return false;
-  return r.supported > 2.0 * a.agrees && r.supported > 0.36 * r.expected && r.rms < 2.0;
+  return r.supported > 2.0 * a.agrees && r.supported > 0.38 * r.expected && r.rms < 1.25;
 }
 
 Levels LevelMaker::make(const ImageView& picture) {
@@ -173,6 +189,7 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
       options.first_cell = std::min(options.first_cell, c);
       options.last_cell = std::max(options.last_cell, c);
     }
+  std::vector<EigenPose> arms;
   for (const PoseGuess& g : poses_from_row(intrinsics, rod, single.points)) {
     const double pitch = pitch_in_pixels(intrinsics, rod, g.pose);
     if (g.rms > 0.35 * pitch + 0.5) continue;
@@ -181,15 +198,34 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     if (inks.separation < min_ink_separation) continue;
     complete_inks(image, intrinsics, rod, g.pose, inks);
     const Refinement arm = refine(image, intrinsics, rod, inks, g.pose, options);
-    if (!arm.valid) continue;
-    for (const double tilt : tilts) {
-      const EigenPose tilted = tilt_arm(rod, arm.pose, on_arm, tilt);
-      for (const RollCandidate& c : search_roll(image, intrinsics, rod, inks, tilted, on_arm, max_rolls)) {
-        Detection d;
-        if (prove(levels, intrinsics, single.marker, c.pose, inks, d)) proven.push_back(std::move(d));
-      }
+    if (!arm.valid || arm.supported < 0.2 * arm.expected) continue;
+    if (std::any_of(arms.begin(), arms.end(), [&](const EigenPose& p) { return alike(p, arm.pose); })) continue;
+    arms.push_back(arm.pose);
+    std::vector<RollCandidate> rolls;
+    for (const double tilt : tilts)
+      for (const RollCandidate& c :
+           search_roll(image, intrinsics, rod, inks, tilt_arm(rod, arm.pose, on_arm, tilt), on_arm, max_rolls))
+        if (c.evidence > min_roll_evidence) rolls.push_back(c);
+    std::stable_sort(rolls.begin(), rolls.end(),
+                     [](const RollCandidate& x, const RollCandidate& y) { return x.evidence > y.evidence; });
+    if (rolls.size() > max_rolls_proven) rolls.resize(max_rolls_proven);
+    for (const RollCandidate& c : rolls) {
+      Detection d;
+      if (prove(levels, intrinsics, single.marker, c.pose, inks, d)) proven.push_back(std::move(d));
     }
   }
+}
+
+// The same row comes out of several segmentations; once is enough.
+void Detector::thin_singles() {
+  std::stable_sort(singles_.begin(), singles_.end(),
+                   [](const Proposal& a, const Proposal& b) { return a.score > b.score; });
+  std::vector<Proposal> kept;
+  for (Proposal& s : singles_) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Proposal& k) { return same_row(s, k); });
+    if (!known && kept.size() < max_singles) kept.push_back(std::move(s));
+  }
+  singles_ = std::move(kept);
 }
 
 // Best first; a detection that explains again what a better one explains is dropped, and each marker exists once.
@@ -219,11 +255,17 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
                    [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
   std::vector<Detection> proven;
   std::vector<int> tries(rods_.size(), 0);
+  std::vector<const Candidate*> tried;
   for (const Candidate& c : candidates) {
+    if (std::any_of(tried.begin(), tried.end(),
+                    [&](const Candidate* t) { return t->marker == c.marker && alike(t->pose, c.pose); }))
+      continue;
     if (++tries[static_cast<std::size_t>(c.marker)] > max_proofs_per_marker) continue;
+    tried.push_back(&c);
     Detection d;
     if (prove(levels, intrinsics, c.marker, c.pose, c.inks, d)) proven.push_back(std::move(d));
   }
+  thin_singles();
   for (const Proposal& s : singles_)
     if (!settled(s, proven)) complete_arm(levels, intrinsics, s, proven);
   select(intrinsics, proven, detections);

@@ -67,6 +67,7 @@ class Detector {
   static void relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& detection);
   void complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
                     std::vector<Detection>& proven) const;
+  void thin_singles();
   Inks inks_of(const ImageView& image, const Proposal& proposal) const;
   void select(const Intrinsics& intrinsics, std::vector<Detection>& proven, std::vector<Detection>& detections) const;
 

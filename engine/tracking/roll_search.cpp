@@ -10,8 +10,8 @@ namespace onestroke {
 
 std::vector<RollCandidate> search_roll(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod,
                                        const Inks& inks, const EigenPose& pose, int cell_on_arm, int count) {
-  // 2.5 degrees move the far tip of a 72 mm arm by its radius.
-  constexpr int steps = 144;
+  // 3 degrees move the far tip of a 72 mm arm by little more than its radius.
+  constexpr int steps = 120;
   const RodModel::Section& section = rod.middle(cell_on_arm);
   std::vector<RollCandidate> ring;
   for (int i = 0; i < steps; ++i) {
