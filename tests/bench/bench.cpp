@@ -1,0 +1,104 @@
+// How long the tracker takes for a picture, and how long other work on the same picture takes.
+
+#include "bench_pictures.h"
+#include "ratio_report.h"
+#include "tracking/tracker.h"
+#include "yardsticks.h"
+
+#include <benchmark/benchmark.h>
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <iostream>
+#include <numbers>
+
+namespace onestroke::bench {
+namespace {
+
+using benchmark::State;
+
+int measured(const FrameRecord& record) {
+  const auto seen = record.seen();
+  return static_cast<int>(std::count_if(seen.begin(), seen.end(),
+                                        [](const MarkerObservation& o) { return o.state == MarkerState::measured; }));
+}
+
+void cold(State& state, const BenchPictures& pictures) {
+  Tracker tracker(bench_catalog(), {.independent = true});
+  FrameRecord record;
+  std::uint64_t number = 0;
+  for (auto _ : state) {
+    tracker.process(pictures.picture(number++), record);
+    if (measured(record) != markers_in_sight) state.SkipWithError("a marker was not found");
+  }
+}
+
+// The searches of the whole picture for newcomers, every few pictures, are part of it.
+void following(State& state, const BenchPictures& pictures) {
+  Tracker tracker(bench_catalog());
+  FrameRecord record;
+  std::uint64_t number = 0;
+  for (; number < 8; ++number) tracker.process(pictures.picture(number), record);
+  for (auto _ : state) {
+    tracker.process(pictures.picture(number++), record);
+    if (measured(record) != markers_in_sight) state.SkipWithError("a marker was lost");
+  }
+}
+
+void copying(State& state, const BenchPictures& pictures) {
+  std::vector<std::uint8_t> copy(pictures.rgb(0).size());
+  std::size_t number = 0;
+  for (auto _ : state) {
+    std::memcpy(copy.data(), pictures.rgb(number++ % pictures.count()).data(), copy.size());
+    benchmark::ClobberMemory();
+  }
+}
+
+void tags(State& state, const BenchPictures& pictures, Yardstick& yardstick) {
+  for (auto _ : state)
+    if (yardstick.tags(pictures) != tags_in_sight) state.SkipWithError("not both tags were found");
+}
+
+template <typename Function>
+void add(const std::string& what, const std::string& picture, Function function) {
+  benchmark::RegisterBenchmark((what + '/' + picture).c_str(), function)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+void add_all(const std::string& name, const BenchPictures& pictures) {
+  add("cold", name, [&](State& s) { cold(s, pictures); });
+  add("following", name, [&](State& s) { following(s, pictures); });
+  add("memcpy", name, [&](State& s) { copying(s, pictures); });
+  add("ArUco", name, [&](State& s) { tags(s, pictures, *aruco_yardstick(false)); });
+  add("ArUco 3", name, [&](State& s) { tags(s, pictures, *aruco_yardstick(true)); });
+#ifdef ONESTROKE_WITH_APRILTAG
+  add("AprilTag", name, [&](State& s) { tags(s, pictures, *april_yardstick()); });
+#endif
+}
+
+int run(int argc, char** argv) {
+  // Medians of seven, unless the command line says otherwise: of two equal options the last counts.
+  std::string repetitions = "--benchmark_repetitions=7", aggregates = "--benchmark_report_aggregates_only=true";
+  std::vector<char*> arguments{argv[0], repetitions.data(), aggregates.data()};
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  // One thread, for them as for us.
+  cv::setNumThreads(1);
+  const BenchPictures large(1600, 1200, 35 * std::numbers::pi / 180), wide(1280, 800, 60 * std::numbers::pi / 180);
+  add_all("1600x1200", large);
+  add_all("1280x800", wide);
+  RatioReport report;
+  benchmark::RunSpecifiedBenchmarks(&report);
+  report.print_ratios({"cold", "following"}, {"memcpy", "ArUco", "ArUco 3", "AprilTag"});
+  return report.failed() ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace onestroke::bench
+
+int main(int argc, char** argv) {
+  return onestroke::bench::run(argc, argv);
+}

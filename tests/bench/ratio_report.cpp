@@ -1,0 +1,43 @@
+#include "ratio_report.h"
+
+#include <iomanip>
+
+namespace onestroke::bench {
+
+void RatioReport::ReportRuns(const std::vector<Run>& runs) {
+  ConsoleReporter::ReportRuns(runs);
+  for (const Run& run : runs) {
+    failed_ |= run.error_occurred;
+    const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
+    if (run.error_occurred || (run.run_type == Run::RT_Aggregate && !median)) continue;
+    const std::string& name = run.run_name.function_name;
+    const std::size_t slash = name.find('/');
+    // Repetitions come before their median, which takes their place.
+    ms_[name.substr(slash + 1)][name.substr(0, slash)] = run.GetAdjustedRealTime();
+  }
+}
+
+void RatioReport::print_ratios(const std::vector<std::string>& ours, const std::vector<std::string>& yardsticks) const {
+  std::ostream& out = GetOutputStream();
+  out << std::fixed << "\n| picture | | ms |";
+  for (const std::string& y : yardsticks) out << " times " << y << " |";
+  out << "\n|---|---|---|";
+  for (std::size_t i = 0; i < yardsticks.size(); ++i) out << "---|";
+  out << '\n';
+  for (const auto& [picture, times] : ms_) {
+    const auto row = [&](const std::string& what) {
+      if (!times.contains(what)) return;
+      out << "| " << picture << " | " << what << " | " << std::setprecision(2) << times.at(what) << " |";
+      for (const std::string& y : yardsticks)
+        if (times.contains(y))
+          out << ' ' << times.at(what) / times.at(y) << " |";
+        else
+          out << " |";
+      out << '\n';
+    };
+    for (const std::string& what : ours) row(what);
+    for (const std::string& what : yardsticks) row(what);
+  }
+}
+
+}  // namespace onestroke::bench
