@@ -10,13 +10,13 @@ namespace {
 
 constexpr int max_proofs_per_marker = 8;
 constexpr int max_rolls = 4;
-constexpr std::size_t max_rolls_proven = 14, max_singles = 24;
-constexpr double min_roll_evidence = -4;
 // A short or noisy row leaves its tilt to the camera uncertain by about this much, radians.
 constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 
 // Daylight, lamplight, and inks before a background of a pale colour of their own (a sky).
-constexpr std::array<SegmentationOptions, 3> segmentations{{{1.0F}, {1.6F}, {1.0F, 0.4F}}};
+constexpr std::array<SegmentationOptions, 3> sharp_segmentations{{{1.0F}, {1.6F}, {1.0F, 0.4F}}};
+// Defocus mixes the inks; smoothed, the little that they differ by still stands out of the noise.
+constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
 constexpr float min_ink_separation = 0.02F;
 constexpr int min_agreeing = 9;
 
@@ -89,9 +89,10 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
   // show.
   const bool both = a.fewest_on_arm >= 3 && second_arm_support(rod, r) >= 5;
   if (rod.has_roll() && !both) return false;
-  // Two fingers cover half an arm; where less agrees, the pose is right for one arm only.
-  if (a.weakest_share < 0.25) return false;
-  return r.supported > 2.0 * a.agrees && r.supported > 0.38 * r.expected && r.rms < 1.25;
+  // Two fingers cover half an arm; where less agrees, the pose is right for one arm only. Edges found loosely
+  // prove less.
+  if (a.weakest_share < (r.rms < 0.6 ? 0.25 : 0.42)) return false;
+  return r.supported > 2.0 * a.agrees && r.supported > 0.36 * r.expected && r.rms < 1.25;
 }
 
 Levels LevelMaker::make(const ImageView& picture) {
@@ -103,7 +104,7 @@ Levels LevelMaker::make(const ImageView& picture) {
           {softer_.data(), picture.width, picture.height, stride}};
 }
 
-Detector::Detector(const Catalog& catalog) : catalog_(catalog) {
+Detector::Detector(const Catalog& catalog, const Search& search) : catalog_(catalog), search_(search) {
   for (const MarkerSpec& m : catalog.markers) rods_.emplace_back(m);
 }
 
@@ -198,17 +199,18 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     if (inks.separation < min_ink_separation) continue;
     complete_inks(image, intrinsics, rod, g.pose, inks);
     const Refinement arm = refine(image, intrinsics, rod, inks, g.pose, options);
-    if (!arm.valid || arm.supported < 0.2 * arm.expected) continue;
-    if (std::any_of(arms.begin(), arms.end(), [&](const EigenPose& p) { return alike(p, arm.pose); })) continue;
+    if (!arm.valid || arm.supported < search_.min_arm_support * arm.expected) continue;
+    if (search_.once && std::any_of(arms.begin(), arms.end(), [&](const EigenPose& p) { return alike(p, arm.pose); }))
+      continue;
     arms.push_back(arm.pose);
     std::vector<RollCandidate> rolls;
     for (const double tilt : tilts)
       for (const RollCandidate& c :
            search_roll(image, intrinsics, rod, inks, tilt_arm(rod, arm.pose, on_arm, tilt), on_arm, max_rolls))
-        if (c.evidence > min_roll_evidence) rolls.push_back(c);
+        if (c.evidence > search_.min_roll_evidence) rolls.push_back(c);
     std::stable_sort(rolls.begin(), rolls.end(),
                      [](const RollCandidate& x, const RollCandidate& y) { return x.evidence > y.evidence; });
-    if (rolls.size() > max_rolls_proven) rolls.resize(max_rolls_proven);
+    if (rolls.size() > search_.max_rolls) rolls.resize(search_.max_rolls);
     for (const RollCandidate& c : rolls) {
       Detection d;
       if (prove(levels, intrinsics, single.marker, c.pose, inks, d)) proven.push_back(std::move(d));
@@ -216,14 +218,15 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
   }
 }
 
-// The same row comes out of several segmentations; once is enough.
+// The same row comes out of several segmentations.
 void Detector::thin_singles() {
   std::stable_sort(singles_.begin(), singles_.end(),
                    [](const Proposal& a, const Proposal& b) { return a.score > b.score; });
   std::vector<Proposal> kept;
   for (Proposal& s : singles_) {
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Proposal& k) { return same_row(s, k); });
-    if (!known && kept.size() < max_singles) kept.push_back(std::move(s));
+    const bool known =
+        search_.once && std::any_of(kept.begin(), kept.end(), [&](const Proposal& k) { return same_row(s, k); });
+    if (!known && kept.size() < search_.max_singles) kept.push_back(std::move(s));
   }
   singles_ = std::move(kept);
 }
@@ -247,8 +250,8 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   detections.clear();
   pairs_.clear();
   singles_.clear();
-  for (const ImageView* image : {&levels.sharp, &levels.softer})
-    for (const SegmentationOptions& s : segmentations) propose(*image, s, intrinsics, skip);
+  for (const SegmentationOptions& s : sharp_segmentations) propose(levels.sharp, s, intrinsics, skip);
+  for (const SegmentationOptions& s : soft_segmentations) propose(levels.softer, s, intrinsics, skip);
   std::vector<Candidate> candidates;
   for (const Proposal& p : pairs_) weigh(levels, intrinsics, p, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -257,8 +260,9 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   std::vector<int> tries(rods_.size(), 0);
   std::vector<const Candidate*> tried;
   for (const Candidate& c : candidates) {
-    if (std::any_of(tried.begin(), tried.end(),
-                    [&](const Candidate* t) { return t->marker == c.marker && alike(t->pose, c.pose); }))
+    if (search_.once && std::any_of(tried.begin(), tried.end(), [&](const Candidate* t) {
+          return t->marker == c.marker && alike(t->pose, c.pose);
+        }))
       continue;
     if (++tries[static_cast<std::size_t>(c.marker)] > max_proofs_per_marker) continue;
     tried.push_back(&c);

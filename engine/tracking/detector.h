@@ -41,11 +41,24 @@ class LevelMaker {
 /// where they should be.
 bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
 
+/// How far a search from cold goes where a marker does not come out at once.
+struct Search {
+  /// Rows standing alone that are completed, and rolls of each that are refined.
+  std::size_t max_singles = 24, max_rolls = 14;
+  double min_roll_evidence = -4, min_arm_support = 0.2;
+  /// Starts much like one tried before are left out. Of noisy pictures some come right only from one of several such
+  /// starts.
+  bool once = true;
+
+  /// For pictures that stand alone, where no next one gives a second chance.
+  static Search thorough() { return {1000, 1000, -1000, 0, false}; }
+};
+
 /// Finds markers from cold in a single picture: segment, cells, chains, readings, poses, refinement, proof. Used by one
 /// thread at a time.
 class Detector {
  public:
-  explicit Detector(const Catalog& catalog);
+  explicit Detector(const Catalog& catalog, const Search& search = {});
 
   /// Markers whose index is flagged in `skip` (may be empty) are not looked for. One detection a marker at most, best
   /// first.
@@ -72,6 +85,7 @@ class Detector {
   void select(const Intrinsics& intrinsics, std::vector<Detection>& proven, std::vector<Detection>& detections) const;
 
   const Catalog& catalog_;
+  Search search_;
   std::vector<RodModel> rods_;
   CellFinder cell_finder_;
   ChainFinder chain_finder_;

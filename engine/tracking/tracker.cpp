@@ -28,7 +28,10 @@ Velocity in_camera(const Velocity& v, const Pose& T_world_camera) {
 class Tracker::Impl {
  public:
   Impl(Catalog catalog, const TrackerOptions& options)
-      : catalog_(std::move(catalog)), options_(options), detector_(catalog_), followers_(catalog_.markers.size()) {}
+      : catalog_(std::move(catalog)),
+        options_(options),
+        detector_(catalog_, options.independent ? Search::thorough() : Search{}),
+        followers_(catalog_.markers.size()) {}
 
   void process(const Picture& picture, FrameRecord& record) {
     const Time begin = Time::now();
