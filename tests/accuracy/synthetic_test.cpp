@@ -41,8 +41,8 @@ TEST_P(Synthetic, MeetsItsDemands) {
   EXPECT_LE(quantile(score.distance_pct, 1), demand.distance_max);
 }
 
-// Where an arm points straight at the camera nothing but its tip shows of it, and the roll about the other arm cannot
-// be told: at some distances of 90 and 270 degrees about x and y the marker is rightly not reported.
+// Where an arm points at the camera little but its tip shows of it, and the roll about the other arm can hardly be
+// told: near 90 and 270 degrees about x and y the marker is not reported at every distance.
 INSTANTIATE_TEST_SUITE_P(Sweep, Synthetic,
                          ::testing::Values(Demand{"turn about x", 85, 0.08, 0.3, 2.5, 0.02, 0.1, 0.15},
                                            Demand{"turn about y", 85, 0.08, 0.4, 2.5, 0.02, 0.1, 0.15},

@@ -24,10 +24,11 @@ void RatioReport::print_ratios(const std::vector<std::string>& ours, const std::
   out << "\n|---|---|---|";
   for (std::size_t i = 0; i < yardsticks.size(); ++i) out << "---|";
   out << '\n';
-  for (const auto& [picture, times] : ms_) {
+  for (const auto& entry : ms_) {
+    const auto& times = entry.second;
     const auto row = [&](const std::string& what) {
       if (!times.contains(what)) return;
-      out << "| " << picture << " | " << what << " | " << std::setprecision(2) << times.at(what) << " |";
+      out << "| " << entry.first << " | " << what << " | " << std::setprecision(2) << times.at(what) << " |";
       for (const std::string& y : yardsticks)
         if (times.contains(y))
           out << ' ' << times.at(what) / times.at(y) << " |";
