@@ -10,6 +10,13 @@
 #include <numbers>
 
 namespace onestroke {
+
+/// For the test's name, which must not change from run to run.
+static void PrintTo(const Shape& shape, std::ostream* out) {
+  constexpr const char* kinds[] = {"angle", "stroke", "line"};
+  *out << kinds[static_cast<int>(shape.kind())] << " bent by " << shape.bend_radius();
+}
+
 namespace {
 
 glm::vec3 at(const Model& model, std::uint32_t index) {
