@@ -2,6 +2,8 @@
 
 #include "core/pose_history.h"
 
+#include <algorithm>
+
 namespace onestroke {
 namespace {
 
@@ -10,20 +12,35 @@ namespace {
 constexpr double angular_acceleration = 20, linear_acceleration = 4000;
 // After a gap this long a difference of poses says nothing of the motion now.
 constexpr double max_gap_s = 0.25;
+constexpr Duration max_prediction = Duration::from_ms(200);
+// A jerk, half as much again as the usual acceleration, and what noise adds to the prediction.
+constexpr double jerk = 1.5, turn_slack = 0.12, shift_slack = 10;
 
 }  // namespace
 
 Pose Follower::predict(Time t) const {
-  return advance(T_world_marker_, velocity_, t - last_);
+  return advance(T_world_marker_, velocity_, std::min(t - last_, max_prediction));
+}
+
+bool Follower::plausible(Time t, const Pose& T_world_marker) const {
+  if (phase_ != Phase::followed) return true;
+  const Pose expected = predict(t);
+  const double dt = (t - last_).seconds(), reach = 0.5 * jerk * dt * dt;
+  return angle_between(expected.rotation, T_world_marker.rotation) < turn_slack + reach * angular_acceleration &&
+         norm(expected.translation - T_world_marker.translation) < shift_slack + reach * linear_acceleration;
 }
 
 void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks,
                         const std::array<double, 36>& covariance) {
   const double dt = (t - last_).seconds();
   if (phase_ == Phase::followed && dt > 0 && dt < max_gap_s) {
-    velocity_ = velocity_between(T_world_marker_, T_world_marker, t - last_);
+    const Velocity now = velocity_between(T_world_marker_, T_world_marker, t - last_);
+    // The mean of the last two halves what one bad measurement does to a prediction.
+    velocity_ = moving_ ? Velocity{(velocity_.angular + now.angular) / 2, (velocity_.linear + now.linear) / 2} : now;
+    moving_ = true;
   } else {
     velocity_ = {};
+    moving_ = false;
   }
   phase_ = Phase::followed;
   last_ = t;

@@ -15,8 +15,11 @@ class Follower {
   bool ever_seen() const { return phase_ != Phase::unknown; }
   const Inks& inks() const { return inks_; }
 
-  /// T_world_marker at a time, at constant velocity from the last measurement.
+  /// T_world_marker at a time: at constant velocity from the last measurement for 200 ms, then standing still, since a
+  /// hand that is not seen stops as likely as it goes on.
   Pose predict(Time t) const;
+  /// A hand can have brought the marker from where it was last seen to this pose. True where it is not followed.
+  bool plausible(Time t, const Pose& T_world_marker) const;
   /// Takes a measurement in.
   void measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance);
   /// The marker was not found at a time: followed becomes lost, and lost becomes unknown.
@@ -31,7 +34,8 @@ class Follower {
   Phase phase_ = Phase::unknown;
   Time last_;
   Pose T_world_marker_;
-  Velocity velocity_;  // Of T_world_marker: rad/s about world axes, mm/s.
+  Velocity velocity_;    // Of T_world_marker: rad/s about world axes, mm/s.
+  bool moving_ = false;  // velocity_ has been measured.
   Inks inks_;
   std::array<double, 36> covariance_{};
 };

@@ -62,12 +62,15 @@ class Tracker::Impl {
     measured_.clear();
   }
 
+  // A pose that no hand could have brought about is a mistake, however well it fits: what is followed goes on as
+  // predicted, and once it counts as lost any pose is as good as another.
   void take(const Picture& picture, const Detection& d) {
     const auto m = static_cast<std::size_t>(d.marker);
+    const Pose T_world_marker = picture.T_world_camera * from_eigen(d.refinement.pose);
+    if (!followers_[m].plausible(time_, T_world_marker)) return;
     found_[m] = true;
     measured_.push_back(d);
-    followers_[m].measured(time_, picture.T_world_camera * from_eigen(d.refinement.pose), d.inks,
-                           flatten(d.refinement.covariance));
+    followers_[m].measured(time_, T_world_marker, d.inks, flatten(d.refinement.covariance));
   }
 
   // Looks for each marker where it must be: predicted by its velocity, or where it last was if it stopped.
