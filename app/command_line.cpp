@@ -57,9 +57,8 @@ CLI::Validator one_of(std::vector<Form> forms, const std::string& spelled) {
 }
 
 void add_camera(CLI::App& command, SourceOptions& options) {
-  const auto camera =
-      one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
-             "synthetic[:KEY=VALUE,...], libcamera[:ID], file:VIDEO or folder:DIR");
+  const auto camera = one_of({{"synthetic", More::may}, {"file", More::must}, {"folder", More::must}},
+                             "synthetic[:KEY=VALUE,...], file:VIDEO or folder:DIR");
   command.add_option("--camera", options.camera, help::camera)->type_name("SPEC")->check(camera)->capture_default_str();
   auto* fov = command.add_option("--fov", options.fov_deg, help::fov)->type_name("DEG");
   fov->check(number_between(1, 170, " degrees"));
@@ -79,8 +78,7 @@ void add_run(CLI::App& program, RunOptions& options) {
   add_camera(run, options.source);
   run.add_option("--display", options.display, help::display)
       ->type_name("SPEC")
-      ->check(one_of({{"window", More::none}, {"openxr", More::none}, {"offscreen", More::must}},
-                     "window, openxr or offscreen:DIR"));
+      ->check(one_of({{"window", More::none}, {"offscreen", More::must}}, "window or offscreen:DIR"));
   run.add_option("--catalog", options.catalog, help::run_catalog)->type_name("FILE");
   const std::map<std::string, PictureTime> modes{{"exposure", PictureTime::exposure}, {"fresh", PictureTime::fresh}};
   run.add_option_function<std::string>(

@@ -10,7 +10,7 @@ namespace onestroke {
 
 /// Where pictures come from and what is known of the lens; the camera factory reads `camera` further.
 struct SourceOptions {
-  std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], libcamera[:ID], file:VIDEO or folder:DIR
+  std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], file:VIDEO or folder:DIR
   std::optional<double> fov_deg;      ///< Horizontal, degrees; never together with a calibration.
   std::filesystem::path calibration;  ///< OpenCV YAML; empty for none.
   std::optional<double> readout_ms;   ///< First row to last; unset where the camera says it or has a global shutter.
@@ -20,8 +20,7 @@ enum class PictureTime { exposure, fresh };
 
 struct RunOptions {
   SourceOptions source;
-  std::string
-      display;  ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
+  std::string display;  ///< window or offscreen:DIR; empty for a window where there is a display, else off-screen
   std::filesystem::path catalog;  ///< Empty for the demo's own.
   PictureTime mode = PictureTime::exposure;
   std::optional<int> frames;      ///< Stop after so many pictures.

@@ -8,7 +8,7 @@ inline constexpr const char* program =
 
 inline constexpr const char* program_footer = R"~(Examples:
   onestroke run                                   the demo: a made-up camera, and a window if there is a display
-  onestroke run --camera libcamera --fov 62 --display openxr --catalog markers.db
+  onestroke run --camera file:hands.mp4 --fov 62 --catalog markers.db
   onestroke track --camera folder:pictures --fov 35 --catalog markers.db --output poses.jsonl
   onestroke marker import markers.json --catalog markers.db
   onestroke track --help                          more about one command
@@ -20,7 +20,7 @@ Completion: eval "$(onestroke --completion bash)")~";
 inline constexpr const char* completion = "Print a script that completes commands and options in this shell";
 
 inline constexpr const char* camera =
-    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), libcamera[:ID] (a camera), file:VIDEO, folder:DIR";
+    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), file:VIDEO, folder:DIR";
 inline constexpr const char* fov =
     "Horizontal field of view in degrees, 1 to 170: an ideal lens with square pixels, centred. Needed where there is "
     "no "
@@ -36,7 +36,7 @@ inline constexpr const char* catalog =
 
 inline constexpr const char* run = "Follow the markers and show their models over the camera's picture";
 inline constexpr const char* display =
-    "Where to show it: window, openxr (a headset) or offscreen:DIR (numbered pictures). Default: a window where there "
+    "Where to show it: window or offscreen:DIR (numbered pictures). Default: a window where there "
     "is a "
     "display, otherwise off-screen";
 inline constexpr const char* run_catalog =

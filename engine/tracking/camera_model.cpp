@@ -76,7 +76,7 @@ bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel, Eigen::Matrix<do
 }
 
 Vec2d unproject(const Intrinsics& k, const Vec2d& pixel) {
-  const Vec2d target((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy);
+  Vec2d target((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy);
   if (!k.distorted()) return target;
   Vec2d n = target;
   for (int i = 0; i < 10; ++i) {

@@ -10,6 +10,8 @@ namespace {
 // Hands turn and move with accelerations up to about these (rad/s^2, mm/s^2); what a constant velocity misses grows
 // with them.
 constexpr double angular_acceleration = 20, linear_acceleration = 4000;
+// The fastest that a hand brings a marker along (rad/s, mm/s).
+constexpr double angular_speed = 12, linear_speed = 1500;
 // After a gap this long a difference of poses says nothing of the motion now.
 constexpr double max_gap_s = 0.25;
 constexpr Duration max_prediction = Duration::from_ms(200);
@@ -26,8 +28,12 @@ bool Follower::plausible(Time t, const Pose& T_world_marker) const {
   if (phase_ != Phase::followed) return true;
   const Pose expected = predict(t);
   const double dt = (t - last_).seconds(), reach = 0.5 * jerk * dt * dt;
-  return angle_between(expected.rotation, T_world_marker.rotation) < turn_slack + reach * angular_acceleration &&
-         norm(expected.translation - T_world_marker.translation) < shift_slack + reach * linear_acceleration;
+  // Until a velocity is known the marker may have been moving all along.
+  const double unknown = moving_ ? 0 : dt;
+  return angle_between(expected.rotation, T_world_marker.rotation) <
+             turn_slack + reach * angular_acceleration + unknown * angular_speed &&
+         norm(expected.translation - T_world_marker.translation) <
+             shift_slack + reach * linear_acceleration + unknown * linear_speed;
 }
 
 void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks,

@@ -51,9 +51,9 @@ TEST(CommandLine, RunAloneIsTheDemo) {
 
 TEST(CommandLine, RunTakesEveryOption) {
   const auto run = parsed<RunOptions>(
-      "run --camera libcamera:0 --fov 62.5 --readout-ms 16.6 --display offscreen:film --catalog c.db --mode fresh "
+      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --catalog c.db --mode fresh "
       "--frames 300 --seconds 2.5");
-  EXPECT_EQ(run.source.camera, "libcamera:0");
+  EXPECT_EQ(run.source.camera, "file:a.mp4");
   EXPECT_EQ(run.source.fov_deg, 62.5);
   EXPECT_EQ(run.source.readout_ms, 16.6);
   EXPECT_EQ(run.display, "offscreen:film");
@@ -165,7 +165,7 @@ TEST(CommandLine, RefusalsNameTheThing) {
 
 TEST(CommandLine, EveryCameraButTheSyntheticNeedsItsLensKnown) {
   for (const std::string command : {"run", "track --catalog c.db"})
-    for (const std::string camera : {"libcamera", "file:a.mp4", "folder:a"}) {
+    for (const std::string camera : {"file:a.mp4", "folder:a"}) {
       const std::string line = command + " --camera " + camera;
       EXPECT_THAT(refusal(line), AllOf(HasSubstr("--fov DEG or --calibration FILE.yaml"), HasSubstr(camera)));
       EXPECT_EQ(refusal(line + " --fov 35"), "accepted");
