@@ -87,7 +87,7 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
   if (!r.valid || a.agrees < min_agreeing || a.evidence() < 8 || 16 * a.contradicts > a.agrees) return false;
   // One arm alone leaves the roll about it to chance. On a wrong arm some cells agree by chance, but no ring edges
   // show.
-  const bool both = a.fewest_on_arm >= 3 && second_arm_support(rod, r) >= 5;
+  const bool both = a.fewest_on_arm >= 3 && second_arm_support(rod, r) >= 7;
   if (rod.has_roll() && !both) return false;
   // Two fingers cover half an arm; where less agrees, the pose is right for one arm only. Edges found loosely
   // prove less.

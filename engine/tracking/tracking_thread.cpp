@@ -45,7 +45,8 @@ void TrackingThread::take_pictures(const std::stop_token& stop) {
       fresh_.publish(picture);
       newest_.publish(std::move(picture));
     } else {
-      while (!pictures_.push(std::move(picture)) && !stop.stop_requested()) pause();
+      const auto put = [&](PictureHandle& slot) { slot = std::move(picture); };
+      while (!pictures_.push_with(put) && !stop.stop_requested()) pause();
     }
   }
   message_ = camera_.message();

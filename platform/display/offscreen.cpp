@@ -114,6 +114,8 @@ struct OffscreenDisplay::Impl {
 
 OffscreenDisplay::OffscreenDisplay(const OffscreenOptions& options) {
   check(options);
+  // An aggregate that cannot be moved has no make_unique.
+  // NOLINTNEXTLINE(modernize-make-unique)
   impl_.reset(new Impl{.options = options, .files = FrameFiles(options), .slots = {}, .failure = {}});
 }
 
