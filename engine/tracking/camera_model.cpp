@@ -1,6 +1,8 @@
 #include "tracking/camera_model.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 namespace onestroke {
 
@@ -18,6 +20,14 @@ Pose from_eigen(const EigenPose& p) {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = p.R(r, c);
   return {to_quat(m), {p.t.x(), p.t.y(), p.t.z()}};
+}
+
+double angle_between(const EigenPose& a, const EigenPose& b) {
+  return std::acos(std::clamp(((a.R * b.R.transpose()).trace() - 1) / 2, -1.0, 1.0));
+}
+
+double relative_distance(const EigenPose& a, const EigenPose& b) {
+  return (a.t - b.t).norm() / a.t.norm();
 }
 
 EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta) {

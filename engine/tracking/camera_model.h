@@ -24,6 +24,11 @@ inline Vec3d to_eigen(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
+/// The angle between two poses, radians.
+double angle_between(const EigenPose& a, const EigenPose& b);
+/// How far apart they lie, as a share of the distance from the camera.
+double relative_distance(const EigenPose& a, const EigenPose& b);
+
 /// p moved by the left perturbation (rotation vector rad, translation mm): R = exp(w) R, t = exp(w) t + v would swing
 /// the translation about the camera; here R = exp(w) R and t = t + v, so the covariance reads in the marker's own
 /// place.

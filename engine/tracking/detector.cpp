@@ -1,5 +1,8 @@
 #include "tracking/detector.h"
 
+#include "tracking/likelihood.h"
+#include "tracking/whole_look.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -19,7 +22,6 @@ constexpr std::array<SegmentationOptions, 3> sharp_segmentations{{{1.0F}, {1.6F}
 constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
 constexpr float min_ink_separation = 0.02F;
 constexpr int min_agreeing = 9;
-
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
   int shared = 0;
@@ -31,8 +33,7 @@ bool overlap(double reach, const Detection& a, const Detection& b) {
 
 // Two starts from which the refinement ends in the same place.
 bool alike(const EigenPose& a, const EigenPose& b) {
-  const double turn = std::acos(std::clamp(((a.R * b.R.transpose()).trace() - 1) / 2, -1.0, 1.0));
-  return turn < 0.015 && (a.t - b.t).norm() < 0.007 * a.t.norm();
+  return angle_between(a, b) < 0.015 && relative_distance(a, b) < 0.007;
 }
 
 bool same_row(const Proposal& a, const Proposal& b) {
@@ -53,17 +54,6 @@ bool settled(const Proposal& single, const std::vector<Detection>& proven) {
   }
   return false;
 }
-
-}  // namespace
-
-struct Detector::Candidate {
-  int marker;
-  EigenPose pose;
-  Inks inks;
-  double evidence;
-};
-
-namespace {
 
 // Ring edges supported on the straight arm that has second most.
 double second_arm_support(const RodModel& rod, const Refinement& r) {
@@ -114,7 +104,7 @@ void Detector::propose(const ImageView& image, const SegmentationOptions& segmen
   cell_finder_.find(labels_, image.width, image.height, {}, cells_);
   chain_finder_.find(cells_, image.width, image.height, {}, chains_);
   readings_ = read_chains(catalog_, cells_, chains_);
-  const Proposer proposer(rods_, cells_, chains_, readings_);
+  const Proposer proposer(rods_, cells_, chains_, readings_, search_.limits);
   proposer.pairs(intrinsics, skip, pairs_);
   proposer.singles(skip, singles_);
 }
@@ -129,16 +119,17 @@ Inks Detector::inks_of(const ImageView& image, const Proposal& p) const {
 
 // Cheap look at a guess before the costly refinement.
 void Detector::weigh(const Levels& levels, const Intrinsics& intrinsics, const Proposal& p,
-                     std::vector<Candidate>& candidates) const {
+                     std::vector<PoseCandidate>& candidates) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(p.marker)];
   const ImageView& image = levels.for_pitch(pitch_in_pixels(intrinsics, rod, p.guesses.front().pose));
   const Inks seen = inks_of(image, p);
   if (seen.separation < min_ink_separation) return;
   for (const PoseGuess& g : p.guesses) {
-    Candidate c{p.marker, g.pose, seen, 0};
+    PoseCandidate c{p.marker, g.pose, seen, 0, 0};
     complete_inks(image, intrinsics, rod, g.pose, c.inks);
     const Appearance a = assess(image, intrinsics, rod, c.inks, g.pose);
     c.evidence = a.evidence();
+    c.likelihood = LikelihoodMeter(image, intrinsics, rod, c.inks, g.pose)(g.pose);
     if (a.agrees >= 6 && 2 * a.contradicts <= a.agrees) candidates.push_back(c);
   }
 }
@@ -179,7 +170,7 @@ void Detector::relearn(const ImageView& image, const Intrinsics& intrinsics, con
 
 // Fits the arm of a single row, then turns the rod about it until the rest of it fits the picture too.
 void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
-                            std::vector<Detection>& proven) const {
+                            std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(single.marker)];
   const int on_arm = single.points.front().cell;
   RefineOptions options;
@@ -203,18 +194,35 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     if (search_.once && std::any_of(arms.begin(), arms.end(), [&](const EigenPose& p) { return alike(p, arm.pose); }))
       continue;
     arms.push_back(arm.pose);
+    const LikelihoodMeter meter(image, intrinsics, rod, inks, arm.pose);
     std::vector<RollCandidate> rolls;
     for (const double tilt : tilts)
-      for (const RollCandidate& c :
-           search_roll(image, intrinsics, rod, inks, tilt_arm(rod, arm.pose, on_arm, tilt), on_arm, max_rolls))
-        if (c.evidence > search_.min_roll_evidence) rolls.push_back(c);
+      for (const RollCandidate& c : search_roll(meter, tilt_arm(rod, arm.pose, on_arm, tilt), on_arm, max_rolls))
+        if (c.likelihood > search_.min_roll_likelihood) rolls.push_back(c);
     std::stable_sort(rolls.begin(), rolls.end(),
-                     [](const RollCandidate& x, const RollCandidate& y) { return x.evidence > y.evidence; });
+                     [](const RollCandidate& x, const RollCandidate& y) { return x.likelihood > y.likelihood; });
     if (rolls.size() > search_.max_rolls) rolls.resize(search_.max_rolls);
     for (const RollCandidate& c : rolls) {
+      candidates.push_back({single.marker, c.pose, inks, 0, c.likelihood});
       Detection d;
       if (prove(levels, intrinsics, single.marker, c.pose, inks, d)) proven.push_back(std::move(d));
     }
+  }
+}
+
+// The markers that ring edges did not prove.
+void Detector::prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& candidates,
+                             std::vector<Detection>& proven) const {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const PoseCandidate& a, const PoseCandidate& b) { return a.likelihood > b.likelihood; });
+  for (std::size_t m = 0; m < rods_.size(); ++m) {
+    const int marker = static_cast<int>(m);
+    if (std::any_of(proven.begin(), proven.end(), [&](const Detection& d) { return d.marker == marker; })) continue;
+    std::vector<PoseCandidate> own;
+    for (const PoseCandidate& c : candidates)
+      if (c.marker == marker && c.likelihood > 0) own.push_back(c);
+    Detection d;
+    if (!own.empty() && look.prove(own, search_.max_fits, d)) proven.push_back(std::move(d));
   }
 }
 
@@ -252,15 +260,15 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   singles_.clear();
   for (const SegmentationOptions& s : sharp_segmentations) propose(levels.sharp, s, intrinsics, skip);
   for (const SegmentationOptions& s : soft_segmentations) propose(levels.softer, s, intrinsics, skip);
-  std::vector<Candidate> candidates;
+  std::vector<PoseCandidate> candidates;
   for (const Proposal& p : pairs_) weigh(levels, intrinsics, p, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+                   [](const PoseCandidate& a, const PoseCandidate& b) { return a.evidence > b.evidence; });
   std::vector<Detection> proven;
   std::vector<int> tries(rods_.size(), 0);
-  std::vector<const Candidate*> tried;
-  for (const Candidate& c : candidates) {
-    if (search_.once && std::any_of(tried.begin(), tried.end(), [&](const Candidate* t) {
+  std::vector<const PoseCandidate*> tried;
+  for (const PoseCandidate& c : candidates) {
+    if (search_.once && std::any_of(tried.begin(), tried.end(), [&](const PoseCandidate* t) {
           return t->marker == c.marker && alike(t->pose, c.pose);
         }))
       continue;
@@ -271,8 +279,12 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   }
   thin_singles();
   for (const Proposal& s : singles_)
-    if (!settled(s, proven)) complete_arm(levels, intrinsics, s, proven);
+    if (!settled(s, proven)) complete_arm(levels, intrinsics, s, candidates, proven);
+  const WholeLook look(levels, intrinsics, rods_);
+  if (search_.max_fits > 0) prove_by_look(look, candidates, proven);
+  look.settle_rivals(proven);
   select(intrinsics, proven, detections);
+  for (Detection& d : detections) look.polish(d);
 }
 
 }  // namespace onestroke

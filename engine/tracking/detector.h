@@ -1,9 +1,8 @@
 #pragma once
 
 #include "marker/catalog.h"
-#include "tracking/appearance.h"
+#include "tracking/detection.h"
 #include "tracking/proposals.h"
-#include "tracking/refine.h"
 #include "tracking/roll_search.h"
 #include "tracking/segmentation.h"
 
@@ -11,31 +10,7 @@
 
 namespace onestroke {
 
-/// One marker found in one picture.
-struct Detection {
-  int marker = 0;  ///< Index into the catalogue.
-  Refinement refinement;
-  Appearance appearance;
-  Inks inks;
-};
-
-/// A picture as taken and smoothed against noise, twice.
-struct Levels {
-  ImageView sharp, soft, softer;
-
-  /// The one to measure a rod in: where a cell spans many pixels a smoothed picture loses nothing but noise.
-  const ImageView& for_pitch(double pixels) const { return pixels > 14 ? softer : pixels > 10 ? soft : sharp; }
-};
-
-/// Memory for the levels of one picture after another.
-class LevelMaker {
- public:
-  /// The levels borrow the picture and this object's memory.
-  Levels make(const ImageView& picture);
-
- private:
-  std::vector<std::uint8_t> soft_, softer_;
-};
+class WholeLook;
 
 /// Whether a refined pose is believed: enough cells of the right inks, few of a wrong one, both arms seen, ring edges
 /// where they should be.
@@ -45,13 +20,16 @@ bool believable(const RodModel& rod, const Refinement& refinement, const Appeara
 struct Search {
   /// Rows standing alone that are completed, and rolls of each that are refined.
   std::size_t max_singles = 24, max_rolls = 14;
-  double min_roll_evidence = -4, min_arm_support = 0.2;
+  double min_roll_likelihood = 0, min_arm_support = 0.2;
   /// Starts much like one tried before are left out. Of noisy pictures some come right only from one of several such
   /// starts.
   bool once = true;
+  /// Poses of a marker that are fitted to its whole look where no ring edges prove any.
+  std::size_t max_fits = 0;
+  Proposer::Limits limits;
 
   /// For pictures that stand alone, where no next one gives a second chance.
-  static Search thorough() { return {1000, 1000, -1000, 0, false}; }
+  static Search thorough() { return {1000, 1000, -1000, 0, false, 6, {8, 5}}; }
 };
 
 /// Finds markers from cold in a single picture: segment, cells, chains, readings, poses, refinement, proof. Used by one
@@ -72,14 +50,15 @@ class Detector {
   std::size_t marker_count() const { return rods_.size(); }
 
  private:
-  struct Candidate;
   void propose(const ImageView& image, const SegmentationOptions& segmentation, const Intrinsics& intrinsics,
                const std::vector<bool>& skip);
   void weigh(const Levels& levels, const Intrinsics& intrinsics, const Proposal& proposal,
-             std::vector<Candidate>& candidates) const;
+             std::vector<PoseCandidate>& candidates) const;
   static void relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& detection);
   void complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
-                    std::vector<Detection>& proven) const;
+                    std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const;
+  void prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& candidates,
+                     std::vector<Detection>& proven) const;
   void thin_singles();
   Inks inks_of(const ImageView& image, const Proposal& proposal) const;
   void select(const Intrinsics& intrinsics, std::vector<Detection>& proven, std::vector<Detection>& detections) const;

@@ -7,8 +7,6 @@ namespace onestroke {
 namespace {
 
 constexpr std::size_t max_readings_per_marker = 60;
-constexpr int min_pair_score = 10;
-constexpr int min_single_score = 6;
 constexpr int max_singles_per_chain = 4;
 
 }  // namespace
@@ -21,10 +19,6 @@ struct Proposer::Row {
   double middle = 0;  // Arc length of the points' mean.
   Vec2d origin, slope;
 };
-
-double pitch_in_pixels(const Intrinsics& k, const RodModel& rod, const EigenPose& pose) {
-  return k.fx * rod.pitch() / std::max(1.0, (pose * rod.centre()).z());
-}
 
 void Proposer::append_points(const Reading& r, std::vector<CellPoint>& points) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(r.marker)];
@@ -82,7 +76,7 @@ bool Proposer::meet(const RodModel& rod, const Row& a, const Row& b) {
 }
 
 bool Proposer::compatible(const Reading& a, const Row& row_a, const Reading& b, const Row& row_b) const {
-  if (a.score() + b.score() < min_pair_score) return false;
+  if (a.score() + b.score() < limits_.min_pair_score) return false;
   // Rows may share the cell at the corner.
   if (std::min(row_a.high, row_b.high) - std::max(row_a.low, row_b.low) + 1 > 1) return false;
   if (a.chain == b.chain && a.begin < b.end - 1 && b.begin < a.end - 1) return false;
@@ -129,7 +123,7 @@ void Proposer::singles(const std::vector<bool>& skip, std::vector<Proposal>& pro
     const auto c = static_cast<std::size_t>(r.chain);
     best[c] = std::max(best[c], r.score());
     if (!skip.empty() && skip[static_cast<std::size_t>(r.marker)]) continue;
-    if (r.score() < std::max(min_single_score, best[c] - 1) || ++count[c] > max_singles_per_chain) continue;
+    if (r.score() < std::max(limits_.min_single_score, best[c] - 1) || ++count[c] > max_singles_per_chain) continue;
     const Row row = row_of(r);
     const RodModel& rod = rods_[static_cast<std::size_t>(r.marker)];
     if (rod.arm_of(row.low) != rod.arm_of(row.high) || row.arm < 0) continue;

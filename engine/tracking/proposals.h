@@ -17,15 +17,16 @@ struct Proposal {
   int score = 0;
 };
 
-/// Pixels that one cell pitch spans where the marker is, foreshortening aside: the yardstick for errors in the picture.
-double pitch_in_pixels(const Intrinsics& k, const RodModel& rod, const EigenPose& pose);
-
 /// Turns readings of chains into proposals.
 class Proposer {
  public:
+  /// Readings that score less are left out: two together, and one alone.
+  struct Limits {
+    int min_pair_score = 10, min_single_score = 6;
+  };
   Proposer(const std::vector<RodModel>& rods, const std::vector<Cell>& cells, const std::vector<Chain>& chains,
-           const std::vector<Reading>& readings)
-      : rods_(rods), cells_(cells), chains_(chains), readings_(readings) {}
+           const std::vector<Reading>& readings, const Limits& limits)
+      : rods_(rods), cells_(cells), chains_(chains), readings_(readings), limits_(limits) {}
 
   /// Readings of one marker on two arms that meet where the arms do, and readings that go round a corner. Appends;
   /// markers flagged in skip (may be empty) are left out.
@@ -45,6 +46,7 @@ class Proposer {
   const std::vector<Cell>& cells_;
   const std::vector<Chain>& chains_;
   const std::vector<Reading>& readings_;
+  Limits limits_;
 };
 
 }  // namespace onestroke

@@ -1,5 +1,6 @@
 #include "tracking/rod_model.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,12 @@ RodModel::RodModel(const MarkerSpec& spec)
   }
   centre_ = (low + high) / 2;
   for (const Section& e : edges_) bounding_radius_ = std::max(bounding_radius_, (e.centre - centre_).norm() + radius_);
+  Mat3d spread = Mat3d::Zero();
+  Vec3d mean = Vec3d::Zero();
+  for (const Section& e : edges_) mean += e.centre / static_cast<double>(edges_.size());
+  for (const Section& e : edges_) spread += (e.centre - mean) * (e.centre - mean).transpose();
+  // Eigenvalues rise: the first direction is the one along which the centreline spreads least.
+  plane_normal_ = Eigen::SelfAdjointEigenSolver<Mat3d>(spread).eigenvectors().col(0);
 }
 
 void RodModel::find_arms(const std::vector<Shape::Piece>& pieces) {
@@ -106,6 +113,10 @@ bool RodModel::hides_itself(const Section& section, const Vec3d& point, const Ve
     if (segment_distance(point + 0.5 * towards, far, a, b) < 0.95 * radius_) return true;
   }
   return false;
+}
+
+double pitch_in_pixels(const Intrinsics& k, const RodModel& rod, const EigenPose& pose) {
+  return k.fx * rod.pitch() / std::max(1.0, (pose * rod.centre()).z());
 }
 
 }  // namespace onestroke

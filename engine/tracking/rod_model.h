@@ -30,6 +30,7 @@ class RodModel {
   /// Ring edge between cell edge - 1 and cell edge; 0 and cell_count() are the tips.
   const Section& edge(int edge) const { return edges_[static_cast<std::size_t>(edge)]; }
   Section section_at(double s) const;
+  const Shape& shape() const { return shape_; }
 
   /// The straight piece a cell's middle lies on, counted from the start; -1 in a bend.
   int arm_of(int cell) const { return arms_[static_cast<std::size_t>(cell)]; }
@@ -43,6 +44,8 @@ class RodModel {
   /// Middle of the bounding sphere and its radius.
   Vec3d centre() const { return centre_; }
   double bounding_radius() const { return bounding_radius_; }
+  /// Normal of the plane nearest to the centreline.
+  const Vec3d& plane_normal() const { return plane_normal_; }
 
   /// The surface point of a section at the angle phi about the rod from the side that faces the eye; and its normal.
   Vec3d surface(const Section& section, const Vec3d& eye, double phi, Vec3d* normal = nullptr) const;
@@ -59,6 +62,7 @@ class RodModel {
   bool has_roll_;
   Vec3d centre_;
   double bounding_radius_ = 0;
+  Vec3d plane_normal_;
   // Straight chords of the centreline with their arc lengths, for the visibility test.
   struct Chord {
     Vec3d a, b;
@@ -67,5 +71,8 @@ class RodModel {
   std::vector<Chord> chords_;
   std::vector<Meeting> meetings_;
 };
+
+/// Pixels that one cell pitch spans where the marker is, foreshortening aside: the yardstick for errors in the picture.
+double pitch_in_pixels(const Intrinsics& k, const RodModel& rod, const EigenPose& pose);
 
 }  // namespace onestroke

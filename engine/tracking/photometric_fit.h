@@ -1,0 +1,41 @@
+#pragma once
+
+#include "tracking/image_view.h"
+#include "tracking/inks.h"
+#include "tracking/likelihood.h"
+#include "tracking/rod_caster.h"
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace onestroke {
+
+struct PhotometricFit {
+  EigenPose pose;
+  Eigen::Matrix<double, 6, 6> covariance;  ///< Of perturbed(): rotation rad, translation mm, camera axes.
+  double residual = 0;                     ///< Robust root mean square over the rod, as a share of its brightness.
+  double explained = 0;                    ///< Share of the rod's visible pixels that look as predicted.
+  /// As LikelihoodMeter's, of every pixel of the rod with its blur and shading: what decides between poses that look
+  /// alike.
+  double likelihood = 0;
+  double blur = 0;  ///< Standard deviation of the picture's blur that fits best, pixels.
+  bool valid = false;
+};
+
+struct PhotometricOptions {
+  /// False: the pose is taken as it is, and only what it explains is measured.
+  bool fit = true;
+  /// Of the camera where it is known, pixels; 0 where the best is to be found.
+  double blur = 0;
+};
+
+/// Fits a pose to the whole look of the rod: the rod's picture is computed by casting rays, blurred as the camera
+/// blurs, laid over the surroundings and compared with the picture pixel by pixel, in linear light; Gauss-Newton on the
+/// pose with the flow of the surface points as its derivative, weighted by Tukey's biweight so that covered parts drop
+/// out. Needs no ring edge to be resolved: an arm that points at the camera, cells of three pixels and defocus as wide
+/// as a ring all count for what they show.
+PhotometricFit fit_photometric(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod,
+                               const Inks& inks, const Surroundings& surroundings, const EigenPose& start,
+                               const PhotometricOptions& options = {});
+
+}  // namespace onestroke

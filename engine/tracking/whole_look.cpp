@@ -1,0 +1,194 @@
+#include "tracking/whole_look.h"
+
+#include "tracking/roll_search.h"
+
+#include <algorithm>
+
+namespace onestroke {
+namespace {
+
+// Nats. Of candidates that are worth a fit, of fits that are worth a look beside them, of what is believed, and of the
+// lead over any other way of holding the rod.
+constexpr double worth_fitting = 25, worth_looking_beside = 40, min_likelihood = 55, min_margin = 6;
+// Of the cells that are believed in, one in eight may show a wrong ink.
+constexpr int min_agreeing = 12, agreeing_per_contradiction = 8;
+// Starts nearer than this to one another (radians, share of the distance) are drawn into the same fit.
+constexpr double same_turn = 0.1, same_move = 0.04;
+// Poses further apart than this are two ways of holding the rod, radians; nearer ones that are likely alike are one
+// pose, badly determined.
+constexpr double apart = 0.14, far_apart = 0.3;
+// Beside the best fit: rolls about each arm to both sides.
+constexpr int max_rounds = 2, rolls_a_side = 6;
+constexpr double roll_step = 0.04;
+constexpr std::size_t max_climbs = 24, max_beside = 3;
+// Cells shorter than this, pixels, edges that scatter by more, and where a smaller share of them is found: measured by
+// the whole look.
+constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
+
+bool likelier(const PhotometricFit& a, const PhotometricFit& b) {
+  return a.likelihood > b.likelihood;
+}
+
+}  // namespace
+
+// The fits of one marker, best first, and what they are compared by.
+struct WholeLook::Fits {
+  struct Fit : PhotometricFit {
+    const Inks* inks;
+  };
+
+  Fits(const WholeLook& look, int marker, const EigenPose& about)
+      : look(look),
+        marker(marker),
+        rod(look.rods_[static_cast<std::size_t>(marker)]),
+        image(look.level_for(rod, about)),
+        around(image, look.intrinsics_, rod, about) {}
+
+  PhotometricFit fit(const EigenPose& pose, const Inks& inks, const PhotometricOptions& options = {}) const {
+    return fit_photometric(look.levels_.sharp, look.intrinsics_, rod, inks, around, pose, options);
+  }
+
+  void add(const EigenPose& start, const Inks& inks) {
+    const PhotometricFit f = fit(start, inks);
+    if (!f.valid) return;
+    all.push_back({f, &inks});
+    std::stable_sort(all.begin(), all.end(), likelier);
+  }
+
+  const WholeLook& look;
+  int marker;
+  const RodModel& rod;
+  const ImageView& image;
+  Surroundings around;
+  std::vector<Fit> all;
+};
+
+const ImageView& WholeLook::level_for(const RodModel& rod, const EigenPose& pose) const {
+  return levels_.for_pitch(pitch_in_pixels(intrinsics_, rod, pose));
+}
+
+std::vector<PoseCandidate> WholeLook::climb_all(const std::vector<PoseCandidate>& candidates) const {
+  const EigenPose& about = candidates.front().pose;
+  const RodModel& rod = rods_[static_cast<std::size_t>(candidates.front().marker)];
+  std::vector<PoseCandidate> climbed;
+  for (const PoseCandidate& c : candidates) {
+    if (climbed.size() == max_climbs) break;
+    const RollCandidate top = climb(LikelihoodMeter(level_for(rod, about), intrinsics_, rod, c.inks, about), c.pose);
+    climbed.push_back({c.marker, top.pose, c.inks, c.evidence, top.likelihood});
+  }
+  std::stable_sort(climbed.begin(), climbed.end(),
+                   [](const PoseCandidate& a, const PoseCandidate& b) { return a.likelihood > b.likelihood; });
+  return climbed;
+}
+
+// An arm that points at the camera is drawn in from no further than its own thickness: the rolls around are measured,
+// and the best of them fitted.
+void WholeLook::look_beside(Fits& fits) const {
+  const PhotometricFit best = fits.all.front();
+  const Inks& inks = *fits.all.front().inks;
+  std::vector<PhotometricFit> beside;
+  for (const int cell : arm_middles(fits.rod))
+    for (int i = -rolls_a_side; i <= rolls_a_side; ++i) {
+      if (i == 0) continue;
+      const PhotometricFit f = fits.fit(roll_about(fits.rod, best.pose, cell, i * roll_step), inks, {false, best.blur});
+      if (f.valid) beside.push_back(f);
+    }
+  std::stable_sort(beside.begin(), beside.end(), likelier);
+  if (beside.size() > max_beside) beside.resize(max_beside);
+  for (const PhotometricFit& f : beside) fits.add(f.pose, inks);
+}
+
+Detection WholeLook::measure(const Fits& fits) const {
+  const Fits::Fit& best = fits.all.front();
+  Detection d;
+  d.marker = fits.marker;
+  d.inks = *best.inks;
+  d.likelihood = best.likelihood;
+  d.refinement = refine(fits.image, intrinsics_, fits.rod, d.inks, best.pose);
+  const Refinement& r = d.refinement;
+  // Sharp ring edges that agree with the look are the more exact.
+  if (!r.valid || r.supported < 0.6 * r.expected || r.rms > 0.5 || angle_between(r.pose, best.pose) > 0.02) {
+    d.refinement.pose = best.pose;
+    d.refinement.covariance = best.covariance;
+    d.refinement.valid = true;
+  }
+  d.appearance = assess(fits.image, intrinsics_, fits.rod, d.inks, d.refinement.pose);
+  return d;
+}
+
+bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits, Detection& detection) const {
+  const std::vector<PoseCandidate> climbed = climb_all(candidates);
+  if (climbed.front().likelihood < worth_fitting) return false;
+  Fits fits(*this, climbed.front().marker, candidates.front().pose);
+  std::vector<const PoseCandidate*> tried;
+  for (const PoseCandidate& c : climbed) {
+    if (tried.size() == max_fits) break;
+    if (std::any_of(tried.begin(), tried.end(), [&](const PoseCandidate* t) {
+          return angle_between(t->pose, c.pose) < same_turn && relative_distance(t->pose, c.pose) < same_move;
+        }))
+      continue;
+    tried.push_back(&c);
+    fits.add(c.pose, c.inks);
+  }
+  if (fits.all.empty() || fits.all.front().likelihood < worth_looking_beside) return false;
+  const Appearance rough = assess(fits.image, intrinsics_, fits.rod, *fits.all.front().inks, fits.all.front().pose);
+  if (3 * rough.contradicts > rough.agrees) return false;
+  for (int round = 0; round < max_rounds; ++round) {
+    const EigenPose before = fits.all.front().pose;
+    look_beside(fits);
+    if (angle_between(before, fits.all.front().pose) < 0.01) break;
+  }
+  const Fits::Fit& best = fits.all.front();
+  if (best.likelihood < min_likelihood) return false;
+  for (const Fits::Fit& f : fits.all)
+    if (angle_between(f.pose, best.pose) > far_apart && f.likelihood > best.likelihood - min_margin) return false;
+  detection = measure(fits);
+  const Appearance& a = detection.appearance;
+  if (a.agrees < min_agreeing || agreeing_per_contradiction * a.contradicts > a.agrees) return false;
+  if (!fits.rod.has_roll()) return true;
+  return roll_margin(LikelihoodMeter(fits.image, intrinsics_, fits.rod, detection.inks, best.pose), best.pose) > 0;
+}
+
+void WholeLook::settle_rivals(std::vector<Detection>& proven) const {
+  std::vector<Detection> kept;
+  for (Detection& d : proven) {
+    const auto rival = std::find_if(kept.begin(), kept.end(), [&](const Detection& k) {
+      return k.marker == d.marker && angle_between(k.refinement.pose, d.refinement.pose) > apart;
+    });
+    if (rival == kept.end()) {
+      kept.push_back(std::move(d));
+      continue;
+    }
+    const EigenPose other = rival->refinement.pose;
+    const Fits fits(*this, d.marker, other);
+    if (!likelier(fits.fit(d.refinement.pose, d.inks), fits.fit(other, rival->inks))) continue;
+    std::erase_if(kept, [&](const Detection& k) {
+      return k.marker == d.marker && angle_between(k.refinement.pose, other) <= apart;
+    });
+    kept.push_back(std::move(d));
+  }
+  proven = std::move(kept);
+}
+
+void WholeLook::polish(Detection& d) const {
+  const Refinement& r = d.refinement;
+  const RodModel& rod = rods_[static_cast<std::size_t>(d.marker)];
+  const bool small = pitch_in_pixels(intrinsics_, rod, r.pose) < small_pitch;
+  const bool doubtful = r.rms > loose || r.supported < few * r.expected;
+  if (d.likelihood > 0 || (!small && !doubtful)) return;
+  Fits fits(*this, d.marker, r.pose);
+  fits.add(r.pose, d.inks);
+  if (doubtful && rod.has_roll()) fits.add(mirrored(rod, r.pose), d.inks);
+  if (fits.all.empty()) return;
+  const Fits::Fit& best = fits.all.front();
+  const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, best.blur});
+  if (!as_it_was.valid || likelier(as_it_was, best)) return;
+  if (angle_between(best.pose, r.pose) > apart) {
+    d = measure(fits);
+  } else {
+    d.refinement.pose = best.pose;
+    d.refinement.covariance = best.covariance;
+  }
+}
+
+}  // namespace onestroke

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "tracking/detection.h"
+#include "tracking/photometric_fit.h"
+
+#include <vector>
+
+namespace onestroke {
+
+/// Judges poses by the whole look of the rod (fit_photometric), where its ring edges prove nothing or too much: an arm
+/// that points at the camera, defocus as wide as a ring, cells of a few pixels, an arm behind fingers. Borrows all that
+/// it is given.
+class WholeLook {
+ public:
+  WholeLook(const Levels& levels, const Intrinsics& intrinsics, const std::vector<RodModel>& rods)
+      : levels_(levels), intrinsics_(intrinsics), rods_(rods) {}
+
+  /// Fits the likeliest of a marker's candidates (one at least, best first), `max_fits` of them, then looks beside the
+  /// best. False where it is not likely enough, or another way of holding the rod is nearly as likely.
+  bool prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits, Detection& detection) const;
+
+  /// Ring edges may prove a marker in two places, as the two tilts of a plane seen from afar: keeps the likelier.
+  void settle_rivals(std::vector<Detection>& proven) const;
+
+  /// Where cells are few pixels long or blurred into one another their edges are found with a bias, and where few are
+  /// found or loosely, the other tilt may be the right one: fits these again.
+  void polish(Detection& detection) const;
+
+ private:
+  struct Fits;
+  const ImageView& level_for(const RodModel& rod, const EigenPose& pose) const;
+  std::vector<PoseCandidate> climb_all(const std::vector<PoseCandidate>& candidates) const;
+  void look_beside(Fits& fits) const;
+  Detection measure(const Fits& fits) const;
+
+  const Levels& levels_;
+  const Intrinsics& intrinsics_;
+  const std::vector<RodModel>& rods_;
+};
+
+}  // namespace onestroke
