@@ -18,7 +18,7 @@ struct PhotometricFit {
   /// As LikelihoodMeter's, of every pixel of the rod with its blur and shading: what decides between poses that look
   /// alike.
   double likelihood = 0;
-  double blur = 0;  ///< Standard deviation of the picture's blur that fits best, pixels.
+  double blur = 0;  ///< Of the picture, as fits best: standard deviation, pixels; tends to be small.
   bool valid = false;
 };
 

@@ -21,6 +21,7 @@ constexpr double apart = 0.14, far_apart = 0.3;
 constexpr int max_rounds = 2, rolls_a_side = 6;
 constexpr double roll_step = 0.04;
 constexpr std::size_t max_climbs = 24, max_beside = 3;
+constexpr int rivals_an_arm = 3;
 // Cells shorter than this, pixels, edges that scatter by more, and where a smaller share of them is found: measured by
 // the whole look.
 constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
@@ -98,6 +99,16 @@ void WholeLook::look_beside(Fits& fits) const {
   for (const PhotometricFit& f : beside) fits.add(f.pose, inks);
 }
 
+// The other ways of holding the rod that look most like one.
+void WholeLook::add_rivals(Fits& fits, const Detection& d) const {
+  const EigenPose& pose = d.refinement.pose;
+  fits.add(mirrored(fits.rod, pose), d.inks);
+  const LikelihoodMeter meter(fits.image, intrinsics_, fits.rod, d.inks, pose);
+  for (const int cell : arm_middles(fits.rod))
+    for (const RollCandidate& c : search_roll(meter, pose, cell, rivals_an_arm))
+      if (angle_between(c.pose, pose) > apart) fits.add(c.pose, d.inks);
+}
+
 Detection WholeLook::measure(const Fits& fits) const {
   const Fits::Fit& best = fits.all.front();
   Detection d;
@@ -136,6 +147,7 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   for (int round = 0; round < max_rounds; ++round) {
     const EigenPose before = fits.all.front().pose;
     look_beside(fits);
+    if (fits.rod.has_roll()) fits.add(mirrored(fits.rod, fits.all.front().pose), *fits.all.front().inks);
     if (angle_between(before, fits.all.front().pose) < 0.01) break;
   }
   const Fits::Fit& best = fits.all.front();
@@ -178,7 +190,7 @@ void WholeLook::polish(Detection& d) const {
   if (d.likelihood > 0 || (!small && !doubtful)) return;
   Fits fits(*this, d.marker, r.pose);
   fits.add(r.pose, d.inks);
-  if (doubtful && rod.has_roll()) fits.add(mirrored(rod, r.pose), d.inks);
+  if (doubtful && rod.has_roll()) add_rivals(fits, d);
   if (fits.all.empty()) return;
   const Fits::Fit& best = fits.all.front();
   const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, best.blur});

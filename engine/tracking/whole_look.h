@@ -31,6 +31,7 @@ class WholeLook {
   const ImageView& level_for(const RodModel& rod, const EigenPose& pose) const;
   std::vector<PoseCandidate> climb_all(const std::vector<PoseCandidate>& candidates) const;
   void look_beside(Fits& fits) const;
+  void add_rivals(Fits& fits, const Detection& detection) const;
   Detection measure(const Fits& fits) const;
 
   const Levels& levels_;

@@ -2,9 +2,7 @@
 
 #include "tracking/refine.h"
 
-#include "../core/random_pose.h"
-#include "scene_fixture.h"
-#include "tracking/appearance.h"
+#include "view_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -14,27 +12,6 @@ namespace onestroke::test {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-Inks inks_at(const Shot& shot, const RodModel& rod, const Pose& pose) {
-  Inks inks;
-  complete_inks(shot.view(), shot.intrinsics, rod, to_eigen(pose), inks);
-  return inks;
-}
-
-Pose random_view(RandomPose& random) {
-  for (;;) {
-    const Pose pose =
-        about_middle(random.rotation(), {random.uniform(-20, 20), random.uniform(-15, 15), random.uniform(300, 400)});
-    if (arms_in_sight(pose)) return pose;
-  }
-}
-
-/// The pose turned about the marker's middle and moved, as a first guess may be.
-Pose disturbed(const Pose& pose, RandomPose& random, double degrees, double mm) {
-  const Vec3 middle = pose * Vec3{24, -24, 0};
-  const Quat turn = exp_so3(random.turn(degrees * radian));
-  return about_middle(turn * pose.rotation, middle + mm * random.direction());
-}
 
 /// The left perturbation that takes the truth to the pose found.
 Vector6 error_of(const Pose& found, const Pose& truth) {

@@ -1,0 +1,97 @@
+// How likely a picture makes a pose.
+
+#include "tracking/likelihood.h"
+
+#include "tracking/roll_search.h"
+#include "view_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <vector>
+
+namespace onestroke::test {
+namespace {
+
+/// Greys out a square of the picture, as a hand in a grey glove.
+void cover(Shot& shot, double u, double v, int half) {
+  for (int y = std::max(0, static_cast<int>(v) - half); y < std::min(shot.image.height, static_cast<int>(v) + half);
+       ++y)
+    for (int x = std::max(0, static_cast<int>(u) - half); x < std::min(shot.image.width, static_cast<int>(u) + half);
+         ++x)
+      for (int c = 0; c < 3; ++c)
+        shot.image.rgb[static_cast<std::size_t>(3 * (y * shot.image.width + x) + c)] =
+            static_cast<std::uint8_t>(90 + (7 * x + 11 * y) % 9);
+}
+
+TEST(VisibleOrCovered, SaysNothingWhereTheCellsSayNothing) {
+  EXPECT_NEAR(visible_or_covered(std::vector<double>(36, 0.0)), 0, 1e-12);
+}
+
+TEST(VisibleOrCovered, ACoverCostsABoundedAmount) {
+  EXPECT_GT(visible_or_covered(std::vector<double>(36, -100.0)), -10);
+  EXPECT_LT(visible_or_covered(std::vector<double>(36, -100.0)), -3);
+}
+
+TEST(VisibleOrCovered, OneCoverIsLikelierThanManySmallOnes) {
+  std::vector<double> run(36, 3.0), scattered(36, 3.0);
+  for (std::size_t i = 0; i < 12; ++i) run[12 + i] = scattered[3 * i] = -4;
+  EXPECT_GT(visible_or_covered(run), visible_or_covered(scattered) + 10);
+}
+
+TEST(LikelihoodMeter, IsHighestWhereTheMarkerIs) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(4), other = angle_marker(5);
+  const RodModel rod(marker), wrong(other);
+  for (int i = 0; i < 8; ++i) {
+    const Pose truth = random_view(random);
+    const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
+    const Inks inks = inks_at(shot, rod, truth);
+    const ImageView view = shot.view();
+    const LikelihoodMeter meter(view, shot.intrinsics, rod, inks, to_eigen(truth));
+    const LikelihoodMeter misread(view, shot.intrinsics, wrong, inks, to_eigen(truth));
+    const double here = meter(to_eigen(truth));
+    EXPECT_GT(here, 40) << i;
+    EXPECT_GT(here, misread(to_eigen(truth)) + 20) << i;
+    EXPECT_GT(here, meter(to_eigen(disturbed(truth, random, 15, 5))) + 10) << i;
+    EXPECT_GT(roll_margin(meter, to_eigen(truth)), 5) << i;
+  }
+}
+
+TEST(LikelihoodMeter, LeavesTheRollOpenWhereAnArmIsCovered) {
+  const MarkerSpec marker = angle_marker(4);
+  const RodModel rod(marker);
+  const Pose truth = about_middle(exp_so3({0.3, 0.2, 0.1}), {0, 0, 350});
+  Shot shot = shoot(marker, truth);
+  const Inks inks = inks_at(shot, rod, truth);
+  Vec2d tip, corner;
+  ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth) * rod.edge(36).centre, tip));
+  ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth) * rod.edge(19).centre, corner));
+  const ImageView view = shot.view();
+  const double open = roll_margin(LikelihoodMeter(view, shot.intrinsics, rod, inks, to_eigen(truth)), to_eigen(truth));
+  const Vec2d middle = (tip + corner) / 2;
+  cover(shot, middle.x(), middle.y(), static_cast<int>((tip - corner).norm() / 2) + 8);
+  const double closed =
+      roll_margin(LikelihoodMeter(view, shot.intrinsics, rod, inks, to_eigen(truth)), to_eigen(truth));
+  EXPECT_GT(open, 5);
+  EXPECT_LT(closed, 4);
+}
+
+TEST(Mirrored, IsItsOwnInverseAndKeepsTheMiddle) {
+  RandomPose random;
+  const RodModel rod(angle_marker(4));
+  for (int i = 0; i < 20; ++i) {
+    const EigenPose pose = to_eigen(random_view(random)), other = mirrored(rod, pose), back = mirrored(rod, other);
+    EXPECT_NEAR(other.R.determinant(), 1, 1e-9);
+    EXPECT_LT((other * rod.centre() - pose * rod.centre()).norm(), 1e-9);
+    EXPECT_LT((back.R - pose.R).norm(), 1e-9);
+    // From the middle both tips lie in the same directions of the picture.
+    const Vec3d a = pose.R * (rod.edge(0).centre - rod.centre()), b = other.R * (rod.edge(0).centre - rod.centre());
+    const Vec3d view = (pose * rod.centre()).normalized();
+    EXPECT_LT((view.cross(a) - view.cross(b)).norm(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace onestroke::test

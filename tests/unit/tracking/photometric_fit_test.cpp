@@ -1,0 +1,93 @@
+// Poses fitted to the whole look of the rod.
+
+#include "tracking/photometric_fit.h"
+
+#include "tracking/refine.h"
+#include "view_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace onestroke::test {
+namespace {
+
+PhotometricFit fit(const Shot& shot, const RodModel& rod, const Pose& truth, const Pose& start,
+                   const PhotometricOptions& options = {}) {
+  const Inks inks = inks_at(shot, rod, truth);
+  const ImageView view = shot.view();
+  const Surroundings around(view, shot.intrinsics, rod, to_eigen(start));
+  return fit_photometric(view, shot.intrinsics, rod, inks, around, to_eigen(start), options);
+}
+
+TEST(PhotometricFit, ComesBackFromADisturbedStart) {
+  RandomPose random;
+  for (const double bend : {0.0, 8.0}) {
+    const MarkerSpec marker = angle_marker(2, bend);
+    const RodModel rod(marker);
+    for (int i = 0; i < 6; ++i) {
+      const Pose truth = random_view(random);
+      const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
+      const PhotometricFit f = fit(shot, rod, truth, disturbed(truth, random, 1.5, 1));
+      ASSERT_TRUE(f.valid) << i;
+      EXPECT_LT(turn_between(from_eigen(f.pose), truth), 0.6) << i;
+      EXPECT_LT(shift_between(from_eigen(f.pose), truth), 3e-3) << i;
+      EXPECT_GT(f.likelihood, 60) << i;
+    }
+  }
+}
+
+TEST(PhotometricFit, SeesThroughDefocusAsWideAsARing) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  for (int i = 0; i < 6; ++i) {
+    const Pose truth = random_view(random);
+    const Shot shot = shoot(marker, truth, {.blur = 3.5, .seed = static_cast<std::uint64_t>(i)});
+    const PhotometricFit f = fit(shot, rod, truth, disturbed(truth, random, 1, 0.5));
+    ASSERT_TRUE(f.valid) << i;
+    EXPECT_LT(turn_between(from_eigen(f.pose), truth), 1.0) << i;
+    const PhotometricFit sharp = fit(shoot(marker, truth), rod, truth, truth);
+    EXPECT_GT(f.blur, 1.5) << i;
+    EXPECT_LT(sharp.blur, 1.5) << i;
+  }
+}
+
+TEST(PhotometricFit, MeasuresAnArmThatPointsAtTheCamera) {
+  const MarkerSpec marker = angle_marker(6);
+  const RodModel rod(marker);
+  for (const double degrees : {4.0, 8.0, 12.0}) {
+    const Pose truth = end_on_view(degrees, 350);
+    const Shot shot = shoot(marker, truth);
+    const Pose start = about_middle(exp_so3({0.02, -0.02, 0.02}) * truth.rotation, truth * Vec3{24, -24, 0});
+    const PhotometricFit f = fit(shot, rod, truth, start);
+    ASSERT_TRUE(f.valid) << degrees;
+    EXPECT_LT(turn_between(from_eigen(f.pose), truth), 1.0) << degrees;
+  }
+}
+
+TEST(PhotometricFit, PrefersTheTruthToAnotherPose) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(7);
+  const RodModel rod(marker);
+  for (int i = 0; i < 6; ++i) {
+    const Pose truth = random_view(random);
+    const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
+    const PhotometricFit here = fit(shot, rod, truth, truth, {.fit = false, .blur = 0.6});
+    const PhotometricFit beside = fit(shot, rod, truth, disturbed(truth, random, 6, 1), {.fit = false, .blur = 0.6});
+    ASSERT_TRUE(here.valid);
+    EXPECT_LT(turn_between(from_eigen(here.pose), truth), 1e-6);
+    EXPECT_GT(here.likelihood, (beside.valid ? beside.likelihood : 0) + 10) << i;
+  }
+}
+
+TEST(PhotometricFit, IsInvalidWhereNothingIsSeen) {
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  const Pose truth = about_middle({}, {0, 0, 350});
+  const Shot shot = shoot(marker, truth);
+  // Behind the camera, and out of the picture.
+  EXPECT_FALSE(fit(shot, rod, truth, about_middle({}, {0, 0, -350})).valid);
+  EXPECT_FALSE(fit(shot, rod, truth, about_middle({}, {900, 0, 350})).valid);
+}
+
+}  // namespace
+}  // namespace onestroke::test

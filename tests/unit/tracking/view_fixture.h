@@ -1,0 +1,40 @@
+#pragma once
+
+#include "../core/random_pose.h"
+#include "scene_fixture.h"
+#include "tracking/appearance.h"
+
+namespace onestroke::test {
+
+/// The inks as the picture shows them at the true pose.
+inline Inks inks_at(const Shot& shot, const RodModel& rod, const Pose& pose) {
+  Inks inks;
+  complete_inks(shot.view(), shot.intrinsics, rod, to_eigen(pose), inks);
+  return inks;
+}
+
+/// Both arms well in sight, 300 to 400 mm away.
+inline Pose random_view(RandomPose& random) {
+  for (;;) {
+    const Pose pose =
+        about_middle(random.rotation(), {random.uniform(-20, 20), random.uniform(-15, 15), random.uniform(300, 400)});
+    if (arms_in_sight(pose)) return pose;
+  }
+}
+
+/// The pose turned about the marker's middle and moved, as a first guess may be.
+inline Pose disturbed(const Pose& pose, RandomPose& random, double degrees, double mm) {
+  const Vec3 middle = pose * Vec3{24, -24, 0};
+  const Quat turn = exp_so3(random.turn(degrees * radian));
+  return about_middle(turn * pose.rotation, middle + mm * random.direction());
+}
+
+/// The stop arm points at the camera, but for `degrees`; the start arm lies across the picture.
+inline Pose end_on_view(double degrees, double distance) {
+  const Mat3 m{{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
+  const Quat facing = to_quat(m) * exp_so3({0, 0, 0});
+  const Quat away = exp_so3({degrees * radian, 0.6 * degrees * radian, 0});
+  return about_middle(away * facing, {0, 0, distance});
+}
+
+}  // namespace onestroke::test
