@@ -58,7 +58,7 @@ EigenPose mirrored(const RodModel& rod, const EigenPose& pose) {
   const Vec3d middle = pose * rod.centre(), view = middle.normalized();
   EigenPose other;
   // Two reflections make a rotation: one in the picture's plane, one in the rod's own.
-  const Vec3d normal = rod.plane_normal();
+  const Vec3d& normal = rod.plane_normal();
   other.R = (Mat3d::Identity() - 2 * view * view.transpose()) * pose.R *
             (Mat3d::Identity() - 2 * normal * normal.transpose());
   other.t = middle - other.R * rod.centre();
