@@ -22,6 +22,7 @@ constexpr std::array<SegmentationOptions, 3> sharp_segmentations{{{1.0F}, {1.6F}
 constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
 constexpr float min_ink_separation = 0.02F;
 constexpr int min_agreeing = 9;
+
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
   int shared = 0;
@@ -85,15 +86,6 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
   return r.supported > 2.0 * a.agrees && r.supported > 0.36 * r.expected && r.rms < 1.25;
 }
 
-Levels LevelMaker::make(const ImageView& picture) {
-  smooth(picture, 1.0, soft_);
-  smooth(picture, 3.0, softer_);
-  const std::size_t stride = 3 * static_cast<std::size_t>(picture.width);
-  return {picture,
-          {soft_.data(), picture.width, picture.height, stride},
-          {softer_.data(), picture.width, picture.height, stride}};
-}
-
 Detector::Detector(const Catalog& catalog, const Search& search) : catalog_(catalog), search_(search) {
   for (const MarkerSpec& m : catalog.markers) rods_.emplace_back(m);
 }
@@ -129,8 +121,11 @@ void Detector::weigh(const Levels& levels, const Intrinsics& intrinsics, const P
     complete_inks(image, intrinsics, rod, g.pose, c.inks);
     const Appearance a = assess(image, intrinsics, rod, c.inks, g.pose);
     c.evidence = a.evidence();
-    c.likelihood = LikelihoodMeter(image, intrinsics, rod, c.inks, g.pose)(g.pose);
-    if (a.agrees >= 6 && 2 * a.contradicts <= a.agrees) candidates.push_back(c);
+    if (a.agrees < 6 || 2 * a.contradicts > a.agrees) continue;
+    if (search_.max_fits > 0)
+      c.likelihood =
+          LikelihoodMeter(image, intrinsics, rod, c.inks, Surroundings(image, intrinsics, rod, g.pose))(g.pose);
+    candidates.push_back(c);
   }
 }
 
@@ -194,13 +189,13 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     if (search_.once && std::any_of(arms.begin(), arms.end(), [&](const EigenPose& p) { return alike(p, arm.pose); }))
       continue;
     arms.push_back(arm.pose);
-    const LikelihoodMeter meter(image, intrinsics, rod, inks, arm.pose);
+    const Surroundings around(image, intrinsics, rod, arm.pose);
+    const LikelihoodMeter meter(image, intrinsics, rod, inks, around);
     std::vector<RollCandidate> rolls;
     for (const double tilt : tilts)
       for (const RollCandidate& c : search_roll(meter, tilt_arm(rod, arm.pose, on_arm, tilt), on_arm, max_rolls))
         if (c.likelihood > search_.min_roll_likelihood) rolls.push_back(c);
-    std::stable_sort(rolls.begin(), rolls.end(),
-                     [](const RollCandidate& x, const RollCandidate& y) { return x.likelihood > y.likelihood; });
+    likeliest_first(rolls);
     if (rolls.size() > search_.max_rolls) rolls.resize(search_.max_rolls);
     for (const RollCandidate& c : rolls) {
       candidates.push_back({single.marker, c.pose, inks, 0, c.likelihood});
@@ -213,8 +208,7 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
 // The markers that ring edges did not prove.
 void Detector::prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& candidates,
                              std::vector<Detection>& proven) const {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const PoseCandidate& a, const PoseCandidate& b) { return a.likelihood > b.likelihood; });
+  likeliest_first(candidates);
   for (std::size_t m = 0; m < rods_.size(); ++m) {
     const int marker = static_cast<int>(m);
     if (std::any_of(proven.begin(), proven.end(), [&](const Detection& d) { return d.marker == marker; })) continue;

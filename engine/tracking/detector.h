@@ -2,6 +2,7 @@
 
 #include "marker/catalog.h"
 #include "tracking/detection.h"
+#include "tracking/levels.h"
 #include "tracking/proposals.h"
 #include "tracking/roll_search.h"
 #include "tracking/segmentation.h"

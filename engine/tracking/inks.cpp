@@ -5,6 +5,11 @@
 
 namespace onestroke {
 
+float Inks::variance(float noise) const {
+  const float spread = std::max(0.02F, 0.18F * separation);
+  return spread * spread + noise * noise;
+}
+
 Inks::Match Inks::match(const Color& color, int expected) const {
   // Below this sum the chromaticity is noise.
   if (color.sum() < 12) return Match::unknown;

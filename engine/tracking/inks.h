@@ -15,6 +15,10 @@ struct Inks {
 
   void set(int ink, const Color& chromaticity);
 
+  /// Of a component of the chromaticity that an ink shows, over the samples of one picture; `noise`: the standard
+  /// deviation that the sample's own noise adds.
+  float variance(float noise) const;
+
   enum class Match { agrees, contradicts, unknown };
   /// Whether a colour is the expected ink, another ink, or none of them (skin, a highlight, background).
   Match match(const Color& color, int expected) const;

@@ -10,7 +10,6 @@ namespace {
 
 // Something in front covers a run of cells: how often such a run begins and ends, from one cell to the next.
 constexpr double cover_begins = 0.04, cover_ends = 0.15;
-// A sample may show anything at all (a highlight, dirt): nothing counts against a cell by more than this, nats.
 constexpr double worst_sample = -4;
 // Gloss at a grazing angle adds the light's own colour: shares of it tried, and how common each is.
 struct Veil {
@@ -33,7 +32,6 @@ class Scorer {
          const EigenPose& pose)
       : image_(image), k_(k), rod_(rod), inks_(inks), around_(around), pose_(pose), eye_(-pose.R.transpose() * pose.t) {
     white_ = (inks.chroma[0] + inks.chroma[1] + inks.chroma[2]) / 3;
-    spread_ = std::max(0.02F, 0.18F * inks.separation);
   }
 
   double cell(int c) const {
@@ -105,15 +103,11 @@ class Scorer {
     // What is as good as black has no colour to tell.
     if (color.sum() < 12) return 0;
     const Color chroma = chromaticity(color);
-    const float noise = 2.5F / color.sum();
-    const float variance = spread_ * spread_ + noise * noise;
+    const float variance = inks_.variance(2.5F / color.sum());
     float shown = 0;
-    for (const Veil& v : veils) {
-      const Color d = chroma - ((1 - v.share) * expected + v.share * white_);
-      shown += v.prior * std::exp(-0.5F * (d[0] * d[0] + d[1] * d[1]) / variance);
-    }
-    shown /= 2 * std::numbers::pi_v<float> * variance;
-    return std::max(worst_sample, static_cast<double>(std::log(shown / around_.density(chroma) + 1e-9F)));
+    for (const Veil& v : veils)
+      shown += v.prior * chroma_density(chroma - ((1 - v.share) * expected + v.share * white_), variance);
+    return around_.log_ratio(shown, chroma);
   }
 
   const ImageView& image_;
@@ -124,7 +118,6 @@ class Scorer {
   const EigenPose& pose_;
   Vec3d eye_;  // Marker frame.
   Color white_;
-  float spread_;
 };
 
 }  // namespace
@@ -174,9 +167,13 @@ float Surroundings::density(const Color& chroma) const {
   return density_[static_cast<std::size_t>(y * bins + x)];
 }
 
-LikelihoodMeter::LikelihoodMeter(const ImageView& image, const Intrinsics& k, const RodModel& rod, const Inks& inks,
-                                 const EigenPose& about)
-    : image_(image), k_(k), rod_(rod), inks_(inks), surroundings_(image, k, rod, about) {}
+double Surroundings::log_ratio(float as_rod, const Color& chroma) const {
+  return std::max(worst_sample, static_cast<double>(std::log(as_rod / density(chroma) + 1e-9F)));
+}
+
+float chroma_density(const Color& d, float variance) {
+  return std::exp(-0.5F * (d[0] * d[0] + d[1] * d[1]) / variance) / (2 * std::numbers::pi_v<float> * variance);
+}
 
 double LikelihoodMeter::operator()(const EigenPose& pose) const {
   const Scorer scorer(image_, k_, rod_, inks_, surroundings_, pose);

@@ -4,8 +4,10 @@
 #include "tracking/inks.h"
 #include "tracking/rod_model.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
 namespace onestroke {
 
@@ -18,6 +20,9 @@ class Surroundings {
 
   /// Probability density over the triangle of (red share, green share).
   float density(const Color& chroma) const;
+  /// log(as_rod / density(chroma)), `as_rod` being the density where the rod shows. A sample may show anything at all
+  /// (a highlight, dirt): never below -4 nats.
+  double log_ratio(float as_rod, const Color& chroma) const;
   /// At the rod's middle.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
@@ -27,6 +32,9 @@ class Surroundings {
   double pixels_per_mm_ = 1;
 };
 
+/// The normal density over (red share, green share) at a difference from its mean.
+float chroma_density(const Color& difference, float variance);
+
 /// The log of how much likelier a row of cells is as part of the rod, covered here and there, than as surroundings,
 /// from each cell's own log ratio where nothing covers it. Covers come in runs, as fingers do: the forward algorithm
 /// over seen and covered.
@@ -35,12 +43,13 @@ double visible_or_covered(std::span<const double> log_ratios);
 /// What the picture says for poses of one rod: the sum over its visible surface of log(p(colour | ring there) /
 /// p(colour | surroundings)). A stretch that may be covered costs a bounded amount, a stretch that shows what it should
 /// before surroundings that look otherwise counts for it, and before surroundings of its own colour says nothing. The
-/// unit of area is one cell, or what the camera resolves where a cell is smaller. All borrowed; used by one thread.
+/// unit of area is one cell, or what the camera resolves where a cell is smaller. Poses are compared before the same
+/// surroundings. All borrowed.
 class LikelihoodMeter {
  public:
-  /// Surroundings are those of `about`; poses elsewhere cannot be compared.
   LikelihoodMeter(const ImageView& image, const Intrinsics& k, const RodModel& rod, const Inks& inks,
-                  const EigenPose& about);
+                  const Surroundings& surroundings)
+      : image_(image), k_(k), rod_(rod), inks_(inks), surroundings_(surroundings) {}
 
   double operator()(const EigenPose& pose) const;
   const RodModel& rod() const { return rod_; }
@@ -50,7 +59,15 @@ class LikelihoodMeter {
   const Intrinsics& k_;
   const RodModel& rod_;
   const Inks& inks_;
-  Surroundings surroundings_;
+  const Surroundings& surroundings_;
 };
+
+/// Of anything that has a likelihood.
+constexpr auto likelier = [](const auto& a, const auto& b) { return a.likelihood > b.likelihood; };
+
+template <typename T>
+void likeliest_first(std::vector<T>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(), likelier);
+}
 
 }  // namespace onestroke

@@ -3,18 +3,17 @@
 #include "tracking/image_view.h"
 #include "tracking/inks.h"
 #include "tracking/likelihood.h"
-#include "tracking/rod_caster.h"
 
 #include <Eigen/Core>
-#include <memory>
 
 namespace onestroke {
 
 struct PhotometricFit {
   EigenPose pose;
-  Eigen::Matrix<double, 6, 6> covariance;  ///< Of perturbed(): rotation rad, translation mm, camera axes.
-  double residual = 0;                     ///< Robust root mean square over the rod, as a share of its brightness.
-  double explained = 0;                    ///< Share of the rod's visible pixels that look as predicted.
+  Eigen::Matrix<double, 6, 6> covariance =
+      Eigen::Matrix<double, 6, 6>::Zero();  ///< Of perturbed(): rotation rad, translation mm, camera axes.
+  double residual = 0;                      ///< Robust root mean square over the rod, as a share of its brightness.
+  double explained = 0;                     ///< Share of the rod's visible pixels that look as predicted.
   /// As LikelihoodMeter's, of every pixel of the rod with its blur and shading: what decides between poses that look
   /// alike.
   double likelihood = 0;

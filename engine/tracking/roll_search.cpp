@@ -32,8 +32,7 @@ std::vector<RollCandidate> search_roll(const LikelihoodMeter& meter, const Eigen
   std::vector<RollCandidate> peaks;
   for (int i = 0; i < steps; ++i)
     if (is_peak(ring, i)) peaks.push_back(ring[static_cast<std::size_t>(i)]);
-  std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const RollCandidate& a, const RollCandidate& b) { return a.likelihood > b.likelihood; });
+  likeliest_first(peaks);
   if (static_cast<int>(peaks.size()) > count) peaks.resize(static_cast<std::size_t>(count));
   return peaks;
 }

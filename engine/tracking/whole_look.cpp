@@ -3,6 +3,7 @@
 #include "tracking/roll_search.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace onestroke {
 namespace {
@@ -26,10 +27,6 @@ constexpr int rivals_an_arm = 3;
 // the whole look.
 constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
 
-bool likelier(const PhotometricFit& a, const PhotometricFit& b) {
-  return a.likelihood > b.likelihood;
-}
-
 }  // namespace
 
 // The fits of one marker, best first, and what they are compared by.
@@ -49,11 +46,13 @@ struct WholeLook::Fits {
     return fit_photometric(look.levels_.sharp, look.intrinsics_, rod, inks, around, pose, options);
   }
 
+  LikelihoodMeter meter(const Inks& inks) const { return {image, look.intrinsics_, rod, inks, around}; }
+
   void add(const EigenPose& start, const Inks& inks) {
     const PhotometricFit f = fit(start, inks);
     if (!f.valid) return;
     all.push_back({f, &inks});
-    std::stable_sort(all.begin(), all.end(), likelier);
+    likeliest_first(all);
   }
 
   const WholeLook& look;
@@ -68,17 +67,14 @@ const ImageView& WholeLook::level_for(const RodModel& rod, const EigenPose& pose
   return levels_.for_pitch(pitch_in_pixels(intrinsics_, rod, pose));
 }
 
-std::vector<PoseCandidate> WholeLook::climb_all(const std::vector<PoseCandidate>& candidates) const {
-  const EigenPose& about = candidates.front().pose;
-  const RodModel& rod = rods_[static_cast<std::size_t>(candidates.front().marker)];
+std::vector<PoseCandidate> WholeLook::climb_all(const Fits& fits, const std::vector<PoseCandidate>& candidates) {
   std::vector<PoseCandidate> climbed;
   for (const PoseCandidate& c : candidates) {
     if (climbed.size() == max_climbs) break;
-    const RollCandidate top = climb(LikelihoodMeter(level_for(rod, about), intrinsics_, rod, c.inks, about), c.pose);
+    const RollCandidate top = climb(fits.meter(c.inks), c.pose);
     climbed.push_back({c.marker, top.pose, c.inks, c.evidence, top.likelihood});
   }
-  std::stable_sort(climbed.begin(), climbed.end(),
-                   [](const PoseCandidate& a, const PoseCandidate& b) { return a.likelihood > b.likelihood; });
+  likeliest_first(climbed);
   return climbed;
 }
 
@@ -94,7 +90,7 @@ void WholeLook::look_beside(Fits& fits) const {
       const PhotometricFit f = fits.fit(roll_about(fits.rod, best.pose, cell, i * roll_step), inks, {false, best.blur});
       if (f.valid) beside.push_back(f);
     }
-  std::stable_sort(beside.begin(), beside.end(), likelier);
+  likeliest_first(beside);
   if (beside.size() > max_beside) beside.resize(max_beside);
   for (const PhotometricFit& f : beside) fits.add(f.pose, inks);
 }
@@ -103,7 +99,7 @@ void WholeLook::look_beside(Fits& fits) const {
 void WholeLook::add_rivals(Fits& fits, const Detection& d) const {
   const EigenPose& pose = d.refinement.pose;
   fits.add(mirrored(fits.rod, pose), d.inks);
-  const LikelihoodMeter meter(fits.image, intrinsics_, fits.rod, d.inks, pose);
+  const LikelihoodMeter meter = fits.meter(d.inks);
   for (const int cell : arm_middles(fits.rod))
     for (const RollCandidate& c : search_roll(meter, pose, cell, rivals_an_arm))
       if (angle_between(c.pose, pose) > apart) fits.add(c.pose, d.inks);
@@ -128,9 +124,9 @@ Detection WholeLook::measure(const Fits& fits) const {
 }
 
 bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits, Detection& detection) const {
-  const std::vector<PoseCandidate> climbed = climb_all(candidates);
+  Fits fits(*this, candidates.front().marker, candidates.front().pose);
+  const std::vector<PoseCandidate> climbed = climb_all(fits, candidates);
   if (climbed.front().likelihood < worth_fitting) return false;
-  Fits fits(*this, climbed.front().marker, candidates.front().pose);
   std::vector<const PoseCandidate*> tried;
   for (const PoseCandidate& c : climbed) {
     if (tried.size() == max_fits) break;
@@ -158,28 +154,35 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   const Appearance& a = detection.appearance;
   if (a.agrees < min_agreeing || agreeing_per_contradiction * a.contradicts > a.agrees) return false;
   if (!fits.rod.has_roll()) return true;
-  return roll_margin(LikelihoodMeter(fits.image, intrinsics_, fits.rod, detection.inks, best.pose), best.pose) > 0;
+  return roll_margin(fits.meter(detection.inks), best.pose) > 0;
 }
 
 void WholeLook::settle_rivals(std::vector<Detection>& proven) const {
-  std::vector<Detection> kept;
+  struct Kept {
+    Detection detection;
+    std::optional<PhotometricFit> fit;
+  };
+  std::vector<Kept> kept;
   for (Detection& d : proven) {
-    const auto rival = std::find_if(kept.begin(), kept.end(), [&](const Detection& k) {
-      return k.marker == d.marker && angle_between(k.refinement.pose, d.refinement.pose) > apart;
+    const auto rival = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) {
+      return k.detection.marker == d.marker && angle_between(k.detection.refinement.pose, d.refinement.pose) > apart;
     });
     if (rival == kept.end()) {
-      kept.push_back(std::move(d));
+      kept.push_back({std::move(d), {}});
       continue;
     }
-    const EigenPose other = rival->refinement.pose;
+    const EigenPose other = rival->detection.refinement.pose;
     const Fits fits(*this, d.marker, other);
-    if (!likelier(fits.fit(d.refinement.pose, d.inks), fits.fit(other, rival->inks))) continue;
-    std::erase_if(kept, [&](const Detection& k) {
-      return k.marker == d.marker && angle_between(k.refinement.pose, other) <= apart;
+    if (!rival->fit) rival->fit = fits.fit(other, rival->detection.inks);
+    const PhotometricFit fit = fits.fit(d.refinement.pose, d.inks);
+    if (!likelier(fit, *rival->fit)) continue;
+    std::erase_if(kept, [&](const Kept& k) {
+      return k.detection.marker == d.marker && angle_between(k.detection.refinement.pose, other) <= apart;
     });
-    kept.push_back(std::move(d));
+    kept.push_back({std::move(d), fit});
   }
-  proven = std::move(kept);
+  proven.clear();
+  for (Kept& k : kept) proven.push_back(std::move(k.detection));
 }
 
 void WholeLook::polish(Detection& d) const {

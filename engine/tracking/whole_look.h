@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracking/detection.h"
+#include "tracking/levels.h"
 #include "tracking/photometric_fit.h"
 
 #include <vector>
@@ -29,7 +30,7 @@ class WholeLook {
  private:
   struct Fits;
   const ImageView& level_for(const RodModel& rod, const EigenPose& pose) const;
-  std::vector<PoseCandidate> climb_all(const std::vector<PoseCandidate>& candidates) const;
+  static std::vector<PoseCandidate> climb_all(const Fits& fits, const std::vector<PoseCandidate>& candidates);
   void look_beside(Fits& fits) const;
   void add_rivals(Fits& fits, const Detection& detection) const;
   Detection measure(const Fits& fits) const;

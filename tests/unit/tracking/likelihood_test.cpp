@@ -49,8 +49,9 @@ TEST(LikelihoodMeter, IsHighestWhereTheMarkerIs) {
     const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
     const Inks inks = inks_at(shot, rod, truth);
     const ImageView view = shot.view();
-    const LikelihoodMeter meter(view, shot.intrinsics, rod, inks, to_eigen(truth));
-    const LikelihoodMeter misread(view, shot.intrinsics, wrong, inks, to_eigen(truth));
+    const Surroundings around(view, shot.intrinsics, rod, to_eigen(truth));
+    const LikelihoodMeter meter(view, shot.intrinsics, rod, inks, around);
+    const LikelihoodMeter misread(view, shot.intrinsics, wrong, inks, around);
     const double here = meter(to_eigen(truth));
     EXPECT_GT(here, 40) << i;
     EXPECT_GT(here, misread(to_eigen(truth)) + 20) << i;
@@ -69,13 +70,15 @@ TEST(LikelihoodMeter, LeavesTheRollOpenWhereAnArmIsCovered) {
   ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth) * rod.edge(36).centre, tip));
   ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth) * rod.edge(19).centre, corner));
   const ImageView view = shot.view();
-  const double open = roll_margin(LikelihoodMeter(view, shot.intrinsics, rod, inks, to_eigen(truth)), to_eigen(truth));
+  const auto margin = [&] {
+    const Surroundings around(view, shot.intrinsics, rod, to_eigen(truth));
+    return roll_margin(LikelihoodMeter(view, shot.intrinsics, rod, inks, around), to_eigen(truth));
+  };
+  const double open = margin();
   const Vec2d middle = (tip + corner) / 2;
   cover(shot, middle.x(), middle.y(), static_cast<int>((tip - corner).norm() / 2) + 8);
-  const double closed =
-      roll_margin(LikelihoodMeter(view, shot.intrinsics, rod, inks, to_eigen(truth)), to_eigen(truth));
   EXPECT_GT(open, 5);
-  EXPECT_LT(closed, 4);
+  EXPECT_LT(margin(), 4);
 }
 
 TEST(Mirrored, IsItsOwnInverseAndKeepsTheMiddle) {

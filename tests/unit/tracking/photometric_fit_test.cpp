@@ -2,7 +2,6 @@
 
 #include "tracking/photometric_fit.h"
 
-#include "tracking/refine.h"
 #include "view_fixture.h"
 
 #include <gtest/gtest.h>
@@ -19,20 +18,13 @@ PhotometricFit fit(const Shot& shot, const RodModel& rod, const Pose& truth, con
 }
 
 TEST(PhotometricFit, ComesBackFromADisturbedStart) {
-  RandomPose random;
-  for (const double bend : {0.0, 8.0}) {
-    const MarkerSpec marker = angle_marker(2, bend);
-    const RodModel rod(marker);
-    for (int i = 0; i < 6; ++i) {
-      const Pose truth = random_view(random);
-      const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
-      const PhotometricFit f = fit(shot, rod, truth, disturbed(truth, random, 1.5, 1));
-      ASSERT_TRUE(f.valid) << i;
-      EXPECT_LT(turn_between(from_eigen(f.pose), truth), 0.6) << i;
-      EXPECT_LT(shift_between(from_eigen(f.pose), truth), 3e-3) << i;
-      EXPECT_GT(f.likelihood, 60) << i;
-    }
-  }
+  for_disturbed_starts([](const RodModel& rod, const Shot& shot, const Pose& truth, const Pose& start) {
+    const PhotometricFit f = fit(shot, rod, truth, start);
+    ASSERT_TRUE(f.valid);
+    EXPECT_LT(turn_between(from_eigen(f.pose), truth), 0.6);
+    EXPECT_LT(shift_between(from_eigen(f.pose), truth), 3e-3);
+    EXPECT_GT(f.likelihood, 60);
+  });
 }
 
 TEST(PhotometricFit, SeesThroughDefocusAsWideAsARing) {

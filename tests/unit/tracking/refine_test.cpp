@@ -23,23 +23,15 @@ Vector6 error_of(const Pose& found, const Pose& truth) {
 }
 
 TEST(Refine, ComesBackFromADisturbedStart) {
-  RandomPose random;
-  for (const double bend : {0.0, 8.0}) {
-    const MarkerSpec marker = angle_marker(2, bend);
-    const RodModel rod(marker);
-    for (int i = 0; i < 6; ++i) {
-      const Pose truth = random_view(random);
-      const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
-      const Pose start = disturbed(truth, random, 1.5, 1);
-      const Refinement r = refine(shot.view(), shot.intrinsics, rod, inks_at(shot, rod, truth), to_eigen(start));
-      ASSERT_TRUE(r.valid) << i;
-      EXPECT_LT(turn_between(from_eigen(r.pose), truth), 0.6) << i;
-      EXPECT_LT(shift_between(from_eigen(r.pose), truth), 2e-3) << i;
-      EXPECT_LT(r.rms, 0.5) << i;
-      EXPECT_GT(r.expected, 80) << i;
-      EXPECT_GT(r.supported, 0.6 * r.expected) << i;
-    }
-  }
+  for_disturbed_starts([](const RodModel& rod, const Shot& shot, const Pose& truth, const Pose& start) {
+    const Refinement r = refine(shot.view(), shot.intrinsics, rod, inks_at(shot, rod, truth), to_eigen(start));
+    ASSERT_TRUE(r.valid);
+    EXPECT_LT(turn_between(from_eigen(r.pose), truth), 0.6);
+    EXPECT_LT(shift_between(from_eigen(r.pose), truth), 2e-3);
+    EXPECT_LT(r.rms, 0.5);
+    EXPECT_GT(r.expected, 80);
+    EXPECT_GT(r.supported, 0.6 * r.expected);
+  });
 }
 
 TEST(Refine, CovarianceIsPositiveAndOfTheErrorsOrder) {

@@ -4,6 +4,8 @@
 #include "scene_fixture.h"
 #include "tracking/appearance.h"
 
+#include <gtest/gtest.h>
+
 namespace onestroke::test {
 
 /// The inks as the picture shows them at the true pose.
@@ -29,12 +31,27 @@ inline Pose disturbed(const Pose& pose, RandomPose& random, double degrees, doub
   return about_middle(turn * pose.rotation, middle + mm * random.direction());
 }
 
+/// Calls check(rod, shot, truth, start) for pictures of sharp and of bent markers, `start` lying near the truth.
+template <typename Check>
+void for_disturbed_starts(Check check) {
+  RandomPose random;
+  for (const double bend : {0.0, 8.0}) {
+    const MarkerSpec marker = angle_marker(2, bend);
+    const RodModel rod(marker);
+    for (int i = 0; i < 6; ++i) {
+      SCOPED_TRACE(i);
+      const Pose truth = random_view(random);
+      check(rod, shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)}), truth,
+            disturbed(truth, random, 1.5, 1));
+    }
+  }
+}
+
 /// The stop arm points at the camera, but for `degrees`; the start arm lies across the picture.
 inline Pose end_on_view(double degrees, double distance) {
   const Mat3 m{{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
-  const Quat facing = to_quat(m) * exp_so3({0, 0, 0});
   const Quat away = exp_so3({degrees * radian, 0.6 * degrees * radian, 0});
-  return about_middle(away * facing, {0, 0, distance});
+  return about_middle(away * to_quat(m), {0, 0, distance});
 }
 
 }  // namespace onestroke::test

@@ -1,0 +1,144 @@
+#include "tracking/rod_look.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace onestroke {
+namespace {
+
+using Pixel3 = cv::Vec3f;
+using Pixel4 = cv::Vec4f;
+
+// Where this share of a pixel is rod, the pixel tells the rod's colour.
+constexpr float mostly_rod = 0.7F;
+
+// The mean over a square: where it need not be smooth, only local.
+void local_mean(const cv::Mat& from, cv::Mat& to, double sigma) {
+  const int side = 2 * static_cast<int>(std::lround(1.7 * sigma)) + 1;
+  cv::blur(from, to, cv::Size(side, side), cv::Point(-1, -1), cv::BORDER_REPLICATE);
+}
+
+float sum(const Pixel3& p) {
+  return p[0] + p[1] + p[2];
+}
+
+}  // namespace
+
+void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
+  const int reach = std::max(1, static_cast<int>(std::ceil(3 * sigma)));
+  cv::GaussianBlur(from, to, cv::Size(2 * reach + 1, 2 * reach + 1), sigma, sigma, cv::BORDER_REPLICATE);
+}
+
+bool RodLook::compose(const cv::Mat& seen, const cv::Mat& weight, double camera_blur, double extra_blur) {
+  seen_ = seen;
+  weight_ = weight;
+  const double whole = std::hypot(camera_blur, extra_blur);
+  gaussian_blur(raster_.mix(), mix_, whole);
+  find_surroundings(std::max(3.0, 1.2 * whole));
+  if (!find_inks()) return false;
+  find_veils();
+  find_shading();
+  seen_.copyTo(picture_);
+  known_.create(seen_.rows, seen_.cols, CV_8U);
+  known_.setTo(0);
+  for (const auto& [y, x, i] : raster_.spots()) {
+    const Pixel4& m = mix_.at<Pixel4>(y, x);
+    const Pixel4& l = shading_.at<Pixel4>(y, x);
+    const bool surrounded = 1 - m[3] < 0.03F || outside_.at<Pixel4>(y, x)[3] > 1e-3F;
+    const bool lit = m[3] < 0.03F || l[1] > 1e-5F;
+    known_.at<std::uint8_t>(y, x) = surrounded && lit && raster_.within_reach(i);
+    const float shading = l[1] > 1e-5F ? l[0] / l[1] : 1.0F;
+    picture_.at<Pixel3>(y, x) = paint(y, x) * shading + behind(y, x);
+  }
+  return true;
+}
+
+void RodLook::find_surroundings(double sigma) {
+  cv::Mat outside;
+  cv::merge(std::array<cv::Mat, 2>{seen_, cv::Mat(seen_.rows, seen_.cols, CV_32F, cv::Scalar(1))}, outside);
+  for (const auto& [y, x, i] : raster_.spots())
+    if (mix_.at<Pixel4>(y, x)[3] >= 0.02F) outside.at<Pixel4>(y, x) = Pixel4(0, 0, 0, 0);
+  gaussian_blur(outside, outside_, sigma);
+  rod_light_.create(seen_.rows, seen_.cols, CV_32FC3);
+  for (const auto& [y, x, i] : raster_.spots()) rod_light_.at<Pixel3>(y, x) = seen_.at<Pixel3>(y, x) - behind(y, x);
+}
+
+// What the surroundings add to a pixel.
+cv::Vec3f RodLook::behind(int y, int x) const {
+  const Pixel4& o = outside_.at<Pixel4>(y, x);
+  const float gone = 1 - mix_.at<Pixel4>(y, x)[3];
+  return o[3] > 1e-3F ? Pixel3(o[0], o[1], o[2]) * (gone / o[3]) : Pixel3(0, 0, 0);
+}
+
+bool RodLook::find_inks() {
+  Eigen::Matrix3d a = 1e-3 * Eigen::Matrix3d::Identity(), b = Eigen::Matrix3d::Zero();
+  for (const auto& [y, x, i] : raster_.spots()) {
+    const Pixel4& m = mix_.at<Pixel4>(y, x);
+    const double w = weight_.at<float>(y, x);
+    if (m[3] < mostly_rod || w == 0) continue;
+    const Pixel3& c = rod_light_.at<Pixel3>(y, x);
+    const Eigen::Vector3d v(m[0], m[1], m[2]);
+    a += w * v * v.transpose();
+    b += w * v * Eigen::RowVector3d(c[0], c[1], c[2]);
+  }
+  const Eigen::Matrix3d solved = a.ldlt().solve(b);
+  if (!solved.allFinite()) return false;
+  for (int ink = 0; ink < 3; ++ink)
+    for (int c = 0; c < 3; ++c)
+      inks_[static_cast<std::size_t>(ink)][c] = static_cast<float>(std::max(0.0, solved(ink, c)));
+  veil_.fill(0);
+  white_ = Pixel3(0, 0, 0);
+  for (const Pixel3& ink : inks_) white_ += ink * (1 / (3 * std::max(1e-6F, sum(ink))));
+  return true;
+}
+
+// What the rod shows where nothing is behind it. Gloss veils an arm seen at a grazing angle with the light's own
+// colour.
+cv::Vec3f RodLook::paint(int y, int x) const {
+  const Pixel4& m = mix_.at<Pixel4>(y, x);
+  const Pixel3 p = m[0] * inks_[0] + m[1] * inks_[1] + m[2] * inks_[2];
+  const float veil = veil_[arm_at(y, x)];
+  if (veil == 0) return p;
+  return p * (1 - veil) + white_ * (veil * sum(p));
+}
+
+std::size_t RodLook::arm_at(int y, int x) const {
+  const int arm = raster_.rod().arm_of(raster_.cell(static_cast<std::size_t>(y * seen_.cols + x)));
+  return static_cast<std::size_t>(std::clamp(arm + 1, 0, static_cast<int>(arms) - 1));
+}
+
+// The share of white in each arm's look, by least squares over chromaticities.
+void RodLook::find_veils() {
+  std::array<double, arms> along{}, square{};
+  for (const auto& [y, x, i] : raster_.spots()) {
+    const double w = weight_.at<float>(y, x);
+    if (mix_.at<Pixel4>(y, x)[3] < mostly_rod || w == 0) continue;
+    const Pixel3& seen = rod_light_.at<Pixel3>(y, x);
+    Pixel3 expected = paint(y, x);
+    const float a = sum(seen), b = sum(expected);
+    if (a < 1e-3F || b < 1e-3F) continue;
+    expected *= 1 / b;
+    const Pixel3 towards = white_ - expected;
+    along[arm_at(y, x)] += w * (seen * (1 / a) - expected).dot(towards);
+    square[arm_at(y, x)] += w * towards.dot(towards);
+  }
+  for (std::size_t i = 0; i < arms; ++i)
+    // As if some pixels had been seen without.
+    veil_[i] = static_cast<float>(std::clamp(along[i] / (square[i] + 0.5), 0.0, 0.8));
+}
+
+// Brightness against the inks, smooth over a few pixels: shade, highlights, and the two arms' own light.
+void RodLook::find_shading() {
+  cv::Mat ratio(seen_.rows, seen_.cols, CV_32FC4, cv::Scalar(0, 0, 0, 0));
+  for (const auto& [y, x, i] : raster_.spots()) {
+    if (mix_.at<Pixel4>(y, x)[3] <= mostly_rod) continue;
+    const float w = weight_.at<float>(y, x) + 0.01F;
+    ratio.at<Pixel4>(y, x) = Pixel4(w * sum(rod_light_.at<Pixel3>(y, x)), w * sum(paint(y, x)), 0, 0);
+  }
+  local_mean(ratio, shading_, 3.0);
+}
+
+}  // namespace onestroke

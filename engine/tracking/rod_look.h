@@ -1,0 +1,47 @@
+#pragma once
+
+#include "tracking/rod_raster.h"
+
+#include <array>
+
+namespace onestroke {
+
+/// Gaussian blur, edges repeated; `sigma` in pixels of the plane.
+void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma);
+
+/// The picture that the camera should have taken of a rod that stands where a RodRaster has it: its inks in this light
+/// by least squares, its shading and surroundings by local means of the picture itself, blurred as the camera blurs.
+class RodLook {
+ public:
+  /// Borrowed; cast() is called before each compose().
+  explicit RodLook(const RodRaster& raster) : raster_(raster) {}
+
+  /// `seen`: the raster's picture in linear light, blurred beyond the camera by `extra_blur`; `weight`: how far each
+  /// pixel is trusted to show the rod, CV_32F; blurs in working pixels. False where the inks cannot be told.
+  bool compose(const cv::Mat& seen, const cv::Mat& weight, double camera_blur, double extra_blur);
+
+  /// Linear light, CV_32FC3; as seen, away from the rod's spots.
+  const cv::Mat& picture() const { return picture_; }
+  /// Whether the picture is known at a pixel: surroundings and shading have something to be taken from.
+  bool known(int y, int x) const { return known_.at<std::uint8_t>(y, x) != 0; }
+
+ private:
+  bool find_inks();
+  void find_surroundings(double blur);
+  void find_veils();
+  void find_shading();
+  cv::Vec3f behind(int y, int x) const;
+  cv::Vec3f paint(int y, int x) const;
+  std::size_t arm_at(int y, int x) const;
+
+  // Arms told apart, and the bends.
+  static constexpr std::size_t arms = 8;
+
+  const RodRaster& raster_;
+  cv::Mat seen_, weight_, mix_, outside_, rod_light_, shading_, picture_, known_;
+  std::array<cv::Vec3f, 3> inks_;
+  std::array<float, arms> veil_{};  // By arm, the bends first.
+  cv::Vec3f white_;
+};
+
+}  // namespace onestroke
