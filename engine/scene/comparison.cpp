@@ -96,7 +96,7 @@ void Comparison::fill_hand(Hand h, Time now) {
   if (!held.held) return;
   const auto carried =
       std::find_if(carried_.begin(), carried_.end(), [&](const CarriedModel& c) { return c.marker_id == held.id; });
-  print_label(held, carried == carried_.end() ? std::string_view() : carried->model_name, v.label);
+  print_label(held, carried == carried_.end() ? std::string_view() : carried->model_name, now, v.label);
 }
 
 void Comparison::fill_relative() {

@@ -34,10 +34,9 @@ void print_axis(Vec3 axis, Text& words) {
   }
 }
 
-void print_label(const HeldMarker& held, std::string_view model_name, Text& words) {
+void print_label(const HeldMarker& held, std::string_view model_name, Time now, Text& words) {
   const char* state = "";
-  if (held.state == MarkerState::predicted) state = " (predicted)";
-  if (held.state == MarkerState::lost) state = " (lost)";
+  if (now - held.measured > mentioned_after) state = held.state == MarkerState::lost ? " (lost)" : " (predicted)";
   const char* separator = model_name.empty() ? "" : " · ";
   words.print("%s%s%.*s%s", held.name.data(), separator, static_cast<int>(model_name.size()), model_name.data(), state);
 }

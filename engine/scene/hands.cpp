@@ -15,6 +15,7 @@ bool usable(const MarkerObservation& m) {
 }
 
 void look(HeldMarker& held, const MarkerObservation& m, const Pose& T_world_camera, Time now) {
+  if (m.state == MarkerState::measured || !held.held) held.measured = now;
   held.held = true;
   held.id = m.id;
   held.name = m.name;

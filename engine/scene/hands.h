@@ -23,6 +23,7 @@ struct HeldMarker {
   Pose T_world_marker;  ///< The last known one.
   double image_x = 0;   ///< x / z in the camera when last seen.
   Time seen;            ///< When last measured or predicted.
+  Time measured;        ///< When last measured; when taken up, where it was not measured then.
 
   bool visible() const { return held && state != MarkerState::lost; }
 };

@@ -165,9 +165,10 @@ TEST_F(ComparisonTest, ALostStickFadesAndComesBackEased) {
   EXPECT_GT(view()[Hand::right].opacity, 0.2);
   EXPECT_LT(view()[Hand::right].opacity, 0.8);
   EXPECT_EQ(view()[Hand::right].state, MarkerState::lost);
-  EXPECT_THAT(std::string(view()[Hand::right].label.view()), HasSubstr("(lost)"));
   EXPECT_FALSE(view().both_visible);
-  run(300);
+  run(50);
+  EXPECT_THAT(std::string(view()[Hand::right].label.view()), HasSubstr("(lost)"));
+  run(250);
   EXPECT_EQ(view()[Hand::right].opacity, 0);
   right_.state = MarkerState::measured;
   run(200);
@@ -230,11 +231,28 @@ TEST_F(ComparisonTest, SaysHowTheRightStickStandsToTheLeft) {
 }
 
 TEST_F(ComparisonTest, NamesTheMarkerItsModelAndItsState) {
-  right_.state = MarkerState::predicted;
   run(100);
+  EXPECT_EQ(view()[Hand::left].label.view(), "stick 1 · bracket_v1");
+  EXPECT_EQ(view()[Hand::right].label.view(), "stick 2 · bracket_v2");
+  right_.state = MarkerState::predicted;
+  run(300);
   EXPECT_EQ(view()[Hand::left].label.view(), "stick 1 · bracket_v1");
   EXPECT_EQ(view()[Hand::right].label.view(), "stick 2 · bracket_v2 (predicted)");
   EXPECT_EQ(view()[Hand::right].state, MarkerState::predicted);
+  right_.state = MarkerState::measured;
+  run(20);
+  EXPECT_EQ(view()[Hand::right].label.view(), "stick 2 · bracket_v2");
+}
+
+TEST_F(ComparisonTest, DoesNotSpeakOfACoverThatIsGoneAtOnce) {
+  run(100);
+  for (int i = 0; i < 5; ++i) {
+    right_.state = i % 2 ? MarkerState::lost : MarkerState::predicted;
+    run(150);
+    EXPECT_EQ(view()[Hand::right].label.view(), "stick 2 · bracket_v2");
+    right_.state = MarkerState::measured;
+    run(50);
+  }
 }
 
 TEST_F(ComparisonTest, AsksForTheSticksThatAreMissing) {
