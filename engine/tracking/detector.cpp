@@ -32,6 +32,20 @@ bool overlap(double reach, const Detection& a, const Detection& b) {
   return shared >= 3;
 }
 
+// Two sticks cannot stand in one place: how many cells of the one lie within the other.
+bool collide(const RodModel& rod_a, const Detection& a, const RodModel& rod_b, const Detection& b) {
+  int inside = 0;
+  for (const CellCentre& c : a.appearance.cells) {
+    const Vec3d p = a.refinement.pose * rod_a.middle(c.index).centre;
+    for (int i = 0; i < rod_b.cell_count(); ++i)
+      if ((p - b.refinement.pose * rod_b.middle(i).centre).norm() < rod_a.radius() + rod_b.radius()) {
+        ++inside;
+        break;
+      }
+  }
+  return inside >= 5;
+}
+
 // Two starts from which the refinement ends in the same place.
 bool alike(const EigenPose& a, const EigenPose& b) {
   return angle_between(a, b) < 0.015 && relative_distance(a, b) < 0.007;
@@ -209,6 +223,7 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
 void Detector::prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& candidates,
                              std::vector<Detection>& proven) const {
   likeliest_first(candidates);
+  std::vector<Detection> doubtful;
   for (std::size_t m = 0; m < rods_.size(); ++m) {
     const int marker = static_cast<int>(m);
     if (std::any_of(proven.begin(), proven.end(), [&](const Detection& d) { return d.marker == marker; })) continue;
@@ -216,8 +231,16 @@ void Detector::prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& 
     for (const PoseCandidate& c : candidates)
       if (c.marker == marker && c.likelihood > 0) own.push_back(c);
     Detection d;
-    if (!own.empty() && look.prove(own, search_.max_fits, d)) proven.push_back(std::move(d));
+    if (own.empty()) continue;
+    const bool proof = look.prove(own, search_.max_fits, d);
+    if (d.likelihood > 0) (proof ? proven : doubtful).push_back(std::move(d));
   }
+  // What another marker explains better is not proven, though that one be doubtful too.
+  std::erase_if(proven, [&](const Detection& d) {
+    return d.likelihood > 0 && std::any_of(doubtful.begin(), doubtful.end(), [&](const Detection& other) {
+             return other.likelihood > d.likelihood && collide(rod(d.marker), d, rod(other.marker), other);
+           });
+  });
 }
 
 // The same row comes out of several segmentations.
@@ -236,13 +259,19 @@ void Detector::thin_singles() {
 // Best first; a detection that explains again what a better one explains is dropped, and each marker exists once.
 void Detector::select(const Intrinsics& intrinsics, std::vector<Detection>& proven,
                       std::vector<Detection>& detections) const {
-  const auto worth = [](const Detection& d) { return d.refinement.supported + 4 * d.appearance.evidence(); };
-  std::stable_sort(proven.begin(), proven.end(),
-                   [&](const Detection& a, const Detection& b) { return worth(a) > worth(b); });
+  const auto by_look = [](const Detection& d) { return d.likelihood > 0; };
+  const auto worth = [&](const Detection& d) {
+    return by_look(d) ? d.likelihood : d.refinement.supported + 4 * d.appearance.evidence();
+  };
+  // Ring edges prove more than the look.
+  std::stable_sort(proven.begin(), proven.end(), [&](const Detection& a, const Detection& b) {
+    return by_look(a) == by_look(b) ? worth(a) > worth(b) : by_look(b);
+  });
   for (Detection& d : proven) {
     const double reach = 0.5 * pitch_in_pixels(intrinsics, rod(d.marker), d.refinement.pose);
-    const bool taken = std::any_of(detections.begin(), detections.end(),
-                                   [&](const Detection& e) { return e.marker == d.marker || overlap(reach, d, e); });
+    const bool taken = std::any_of(detections.begin(), detections.end(), [&](const Detection& e) {
+      return e.marker == d.marker || overlap(reach, d, e) || collide(rod(d.marker), d, rod(e.marker), e);
+    });
     if (!taken) detections.push_back(std::move(d));
   }
 }

@@ -5,9 +5,12 @@
 
 namespace onestroke {
 
+float Inks::spread() const {
+  return std::max(0.02F, 0.18F * separation);
+}
+
 float Inks::variance(float noise) const {
-  const float spread = std::max(0.02F, 0.18F * separation);
-  return spread * spread + noise * noise;
+  return spread() * spread() + noise * noise;
 }
 
 Inks::Match Inks::match(const Color& color, int expected) const {

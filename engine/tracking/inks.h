@@ -18,6 +18,8 @@ struct Inks {
   /// Of a component of the chromaticity that an ink shows, over the samples of one picture; `noise`: the standard
   /// deviation that the sample's own noise adds.
   float variance(float noise) const;
+  /// The standard deviation of the same without noise.
+  float spread() const;
 
   enum class Match { agrees, contradicts, unknown };
   /// Whether a colour is the expected ink, another ink, or none of them (skin, a highlight, background).

@@ -22,6 +22,17 @@ constexpr double blur = 0.7;
 constexpr double pixels_per_cell = 12;
 constexpr std::array<double, 3> angles{-0.7, 0.0, 0.7};
 
+constexpr double usually_seen = cover_ends / (cover_begins + cover_ends);
+
+double odds(double log_ratio) {
+  return std::exp(std::min(log_ratio, 100.0));
+}
+
+// From one cell's probability to the next one's.
+double next_seen(double seen) {
+  return seen * (1 - cover_begins) + (1 - seen) * cover_ends;
+}
+
 float normal_cdf(double x) {
   return static_cast<float>(0.5 * std::erfc(-x * std::numbers::sqrt2 / 2));
 }
@@ -107,7 +118,7 @@ class Scorer {
     float shown = 0;
     for (const Veil& v : veils)
       shown += v.prior * chroma_density(chroma - ((1 - v.share) * expected + v.share * white_), variance);
-    return around_.log_ratio(shown, chroma);
+    return log_ratio(shown, around_.density(chroma));
   }
 
   const ImageView& image_;
@@ -167,8 +178,8 @@ float Surroundings::density(const Color& chroma) const {
   return density_[static_cast<std::size_t>(y * bins + x)];
 }
 
-double Surroundings::log_ratio(float as_rod, const Color& chroma) const {
-  return std::max(worst_sample, static_cast<double>(std::log(as_rod / density(chroma) + 1e-9F)));
+double log_ratio(float as_rod, float otherwise) {
+  return std::max(worst_sample, static_cast<double>(std::log(as_rod / otherwise + 1e-9F)));
 }
 
 float chroma_density(const Color& d, float variance) {
@@ -186,18 +197,30 @@ double LikelihoodMeter::operator()(const EigenPose& pose) const {
 }
 
 double visible_or_covered(std::span<const double> log_ratios) {
-  double seen = cover_ends / (cover_begins + cover_ends), covered = 1 - seen, sum = 0;
+  double seen = usually_seen, sum = 0;
   for (const double ratio : log_ratios) {
-    seen *= std::exp(std::min(ratio, 100.0));
-    const double total = seen + covered;
+    const double shown = seen * odds(ratio), total = shown + 1 - seen;
     sum += std::log(total);
-    seen /= total;
-    covered /= total;
-    const double next = seen * (1 - cover_begins) + covered * cover_ends;
-    covered = 1 - next;
-    seen = next;
+    seen = next_seen(shown / total);
   }
   return sum;
+}
+
+// The chain is reversible, so that what comes after a cell tells of it as what came before does.
+void visible_probabilities(std::span<const double> log_ratios, std::span<double> seen) {
+  double before = usually_seen, after = usually_seen;
+  for (std::size_t i = 0; i < log_ratios.size(); ++i) {
+    const double shown = before * odds(log_ratios[i]);
+    seen[i] = shown / (shown + 1 - before);
+    before = next_seen(seen[i]);
+  }
+  for (std::size_t i = log_ratios.size(); i-- > 0;) {
+    // Each side's prediction holds the chain's own mean once; it counts once in all.
+    const double both = seen[i] * after * (1 - usually_seen);
+    const double shown = after * odds(log_ratios[i]);
+    seen[i] = both / (both + (1 - seen[i]) * (1 - after) * usually_seen);
+    after = next_seen(shown / (shown + 1 - after));
+  }
 }
 
 }  // namespace onestroke

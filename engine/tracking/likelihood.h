@@ -20,9 +20,6 @@ class Surroundings {
 
   /// Probability density over the triangle of (red share, green share).
   float density(const Color& chroma) const;
-  /// log(as_rod / density(chroma)), `as_rod` being the density where the rod shows. A sample may show anything at all
-  /// (a highlight, dirt): never below -4 nats.
-  double log_ratio(float as_rod, const Color& chroma) const;
   /// At the rod's middle.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
@@ -35,10 +32,17 @@ class Surroundings {
 /// The normal density over (red share, green share) at a difference from its mean.
 float chroma_density(const Color& difference, float variance);
 
+/// log(as_rod / otherwise) of two densities of one sample. A sample may show anything at all (a highlight, dirt): never
+/// below -4 nats.
+double log_ratio(float as_rod, float otherwise);
+
 /// The log of how much likelier a row of cells is as part of the rod, covered here and there, than as surroundings,
 /// from each cell's own log ratio where nothing covers it. Covers come in runs, as fingers do: the forward algorithm
 /// over seen and covered.
 double visible_or_covered(std::span<const double> log_ratios);
+/// The probability that each cell of such a row is seen, by the forward-backward algorithm; `seen` is as long as the
+/// row.
+void visible_probabilities(std::span<const double> log_ratios, std::span<double> seen);
 
 /// What the picture says for poses of one rod: the sum over its visible surface of log(p(colour | ring there) /
 /// p(colour | surroundings)). A stretch that may be covered costs a bounded amount, a stretch that shows what it should

@@ -1,6 +1,6 @@
 #include "tracking/photometric_fit.h"
 
-#include "tracking/rod_look.h"
+#include "tracking/cell_evidence.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -23,10 +23,19 @@ constexpr std::array<double, 7> camera_blurs{0.35, 0.6, 0.9, 1.3, 1.9, 2.7, 3.8}
 constexpr double usual_blur = 0.6;
 constexpr std::array<std::size_t, 2> blur_chosen_at{1, 4};
 
+// An ink shows more of its own channel than any other ink does, by this share at least.
+constexpr float min_ink_lead = 0.06F;
+
+// Standard deviations of a chromaticity about what is predicted that are tried.
+constexpr std::array<float, 4> spreads{0.02F, 0.035F, 0.06F, 0.1F};
+
+// While the pose is not fitted yet, what shows on the rod may be another ring than predicted.
+constexpr float may_be_any_ring = 0.3F;
+
 class Fitter {
  public:
   Fitter(const ImageView& image, const Intrinsics& k, const RodModel& rod, const Inks& inks, const Surroundings& around)
-      : inks_(inks), around_(around), raster_(image, k, rod), look_(raster_) {}
+      : inks_(inks), raster_(image, k, rod), look_(raster_), evidence_(raster_, look_, inks, around) {}
 
   PhotometricFit run(const EigenPose& start, const PhotometricOptions& options) {
     result_.pose = start;
@@ -65,9 +74,33 @@ class Fitter {
     return cast() && reweigh() && result_.covariance.allFinite();
   }
 
+  // Free to choose its inks the fit may explain anything of one colour: they have to differ as inks do.
+  bool inks_differ() const {
+    std::array<Color, 3> found;
+    for (std::size_t i = 0; i < 3; ++i) found[i] = chroma_of(look_.inks()[i]);
+    const auto told = [&](std::size_t ink) { return cv::sum(look_.inks()[ink])[0] > 0.005; };
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const auto own = static_cast<Eigen::Index>(i);
+        if (i != j && told(i) && told(j) && found[i][own] < found[j][own] + min_ink_lead) return false;
+      }
+    return true;
+  }
+
+  // How far colours scatter about what is predicted is the picture's own: the likeliest.
   bool score() {
-    result_.likelihood = likelihood();
+    if (!inks_differ()) return false;
     result_.blur = camera_blur_ * raster_.factor();
+    result_.likelihood = result_.proof = -1e9;
+    evidence_.sample(seen_);
+    for (const float spread : spreads) {
+      evidence_.weigh(spread, 0);
+      result_.proof = std::max(result_.proof, visible_or_covered(evidence_.against_plain()));
+      const double here = visible_or_covered(evidence_.against_surroundings());
+      if (here <= result_.likelihood) continue;
+      result_.likelihood = here;
+      result_.weakest_arm = evidence_.weakest_arm();
+    }
     return true;
   }
 
@@ -103,9 +136,12 @@ class Fitter {
 
   // Tukey's biweight of each pixel's error, and what the errors come to.
   void weigh() {
+    evidence_.sample(seen_);
+    evidence_.weigh(inks_.spread(), may_be_any_ring);
+    visible_probabilities(evidence_.against_plain(), visible_);
     errors_.clear();
     for (const auto& [y, x, i] : raster_.spots())
-      if (on_rod(y, x)) errors_.push_back(look_.known(y, x) ? error(y, x) : 1.0F);
+      if (raster_.on_rod(y, x) && visible(i) > 0.5F) errors_.push_back(look_.known(y, x) ? error(y, x) : 1.0F);
     cost_ = 1;
     if (errors_.empty()) return;
     const auto middle = errors_.begin() + static_cast<std::ptrdiff_t>(errors_.size() / 2);
@@ -117,8 +153,8 @@ class Fitter {
       w = 0;
       if (!look_.known(y, x)) continue;
       const float e = error(y, x), u = e / (3.5F * scale);
-      if (u < 1) w = (1 - u * u) * (1 - u * u);
-      if (!on_rod(y, x)) continue;
+      if (u < 1) w = (1 - u * u) * (1 - u * u) * visible(i);
+      if (!raster_.on_rod(y, x)) continue;
       sum += w;
       square += w * e * e;
       ++shown;
@@ -131,7 +167,7 @@ class Fitter {
     cost_ /= static_cast<double>(errors_.size());
   }
 
-  bool on_rod(int y, int x) const { return raster_.mix().at<Pixel4>(y, x)[3] > 0.5F; }
+  float visible(std::size_t i) const { return static_cast<float>(visible_[static_cast<std::size_t>(raster_.cell(i))]); }
 
   float level(int y, int x) const {
     const Pixel3& m = look_.picture().at<Pixel3>(y, x);
@@ -141,32 +177,6 @@ class Fitter {
   float error(int y, int x) const {
     const Pixel3 d = seen_.at<Pixel3>(y, x) - look_.picture().at<Pixel3>(y, x);
     return std::sqrt((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 3) / level(y, x);
-  }
-
-  static Color chroma_of(const Pixel3& linear) {
-    const auto code = [](float v) { return std::pow(std::max(v, 1e-5F), 1 / 2.2F); };
-    return chromaticity({255 * code(linear[0]), 255 * code(linear[1]), 255 * code(linear[2])});
-  }
-
-  double likelihood() const {
-    // A cell seen in full tells as much as this many independent samples.
-    constexpr double samples_per_cell = 2;
-    const RodModel& rod = raster_.rod();
-    const double scale = around_.pixels_per_mm() / raster_.factor();
-    const double share = samples_per_cell / (2 * rod.radius() * rod.pitch() * scale * scale);
-    std::array<double, max_cells> shows{}, pixels{};
-    for (const auto& [y, x, i] : raster_.spots()) {
-      if (raster_.mix().at<Pixel4>(y, x)[3] < 0.5F || !look_.known(y, x)) continue;
-      const Pixel3& linear = seen_.at<Pixel3>(y, x);
-      const Color seen = chroma_of(linear), expected = chroma_of(look_.picture().at<Pixel3>(y, x));
-      const float variance = inks_.variance(0.004F / (linear[0] + linear[1] + linear[2] + 0.003F));
-      const auto cell = static_cast<std::size_t>(raster_.cell(i));
-      ++pixels[cell];
-      shows[cell] += share * around_.log_ratio(chroma_density(seen - expected, variance), seen);
-    }
-    // A rod that is taken for nearer than it is does not see more.
-    for (std::size_t c = 0; c < shows.size(); ++c) shows[c] /= std::max(1.0, share / samples_per_cell * pixels[c]);
-    return visible_or_covered({shows.data(), static_cast<std::size_t>(rod.cell_count())});
   }
 
   void choose_blur() {
@@ -228,14 +238,15 @@ class Fitter {
   }
 
   const Inks& inks_;
-  const Surroundings& around_;
   RodRaster raster_;
   RodLook look_;
+  CellEvidence evidence_;
   PhotometricFit result_;
   double camera_blur_ = usual_blur, extra_ = 0, cost_ = 0;
   bool chosen_ = false;
   cv::Mat seen_, weight_;
   std::vector<float> errors_;
+  std::array<double, max_cells> visible_{};  // Probability, by cell.
 };
 
 }  // namespace

@@ -17,7 +17,9 @@ struct PhotometricFit {
   /// As LikelihoodMeter's, of every pixel of the rod with its blur and shading: what decides between poses that look
   /// alike.
   double likelihood = 0;
-  double blur = 0;  ///< Of the picture, as fits best: standard deviation, pixels; tends to be small.
+  double weakest_arm = 0;  ///< What the straight arm that shows least has of it.
+  double proof = 0;        ///< As the likelihood, a plain thing in place of the rod being among what else it may be.
+  double blur = 0;         ///< Of the picture, as fits best: standard deviation, pixels; tends to be small.
   bool valid = false;
 };
 

@@ -21,11 +21,43 @@ void local_mean(const cv::Mat& from, cv::Mat& to, double sigma) {
   cv::blur(from, to, cv::Size(side, side), cv::Point(-1, -1), cv::BORDER_REPLICATE);
 }
 
+// 0..255 of linear light.
+float coded(float linear) {
+  constexpr int steps = 1024;
+  static const std::array<float, steps + 1> table = [] {
+    std::array<float, steps + 1> t;
+    for (int i = 0; i <= steps; ++i)
+      t[static_cast<std::size_t>(i)] =
+          255 * std::pow(std::max(1e-5F, static_cast<float>(i * i) / static_cast<float>(steps * steps)), 1 / 2.2F);
+    return t;
+  }();
+  // Even in the square root: dark colours are told apart as well as bright ones.
+  return table[static_cast<std::size_t>(std::lround(steps * std::sqrt(std::clamp(linear, 0.0F, 1.0F))))];
+}
+
 float sum(const Pixel3& p) {
   return p[0] + p[1] + p[2];
 }
 
+// How far the inks of an arm are told apart: the smallest lead of an ink's own channel over the other inks' share of
+// it; 0 where the arm shows too little of an ink.
+double purity_of(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  constexpr double enough = 15;  // Pixels.
+  if (a.diagonal().minCoeff() < enough) return 0;
+  Eigen::Matrix3d inks = a.ldlt().solve(b).cwiseMax(1e-6);
+  for (int i = 0; i < 3; ++i) inks.row(i) /= inks.row(i).sum();
+  double least = 1;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j) least = std::min(least, inks(i, i) - inks(j, i));
+  return least;
+}
+
 }  // namespace
+
+Color chroma_of(const cv::Vec3f& linear) {
+  return chromaticity({coded(linear[0]), coded(linear[1]), coded(linear[2])});
+}
 
 void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
   const int reach = std::max(1, static_cast<int>(std::ceil(3 * sigma)));
@@ -73,16 +105,37 @@ cv::Vec3f RodLook::behind(int y, int x) const {
   return o[3] > 1e-3F ? Pixel3(o[0], o[1], o[2]) * (gone / o[3]) : Pixel3(0, 0, 0);
 }
 
+// Least squares for the inks in linear light. Gloss washes out the inks of an arm seen at a grazing angle: the arm that
+// shows them purest tells them, the others hardly count.
 bool RodLook::find_inks() {
-  Eigen::Matrix3d a = 1e-3 * Eigen::Matrix3d::Identity(), b = Eigen::Matrix3d::Zero();
+  struct Normal {
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero(), b = Eigen::Matrix3d::Zero();
+  };
+  std::array<Normal, arms> by_arm;
   for (const auto& [y, x, i] : raster_.spots()) {
     const Pixel4& m = mix_.at<Pixel4>(y, x);
     const double w = weight_.at<float>(y, x);
     if (m[3] < mostly_rod || w == 0) continue;
     const Pixel3& c = rod_light_.at<Pixel3>(y, x);
     const Eigen::Vector3d v(m[0], m[1], m[2]);
-    a += w * v * v.transpose();
-    b += w * v * Eigen::RowVector3d(c[0], c[1], c[2]);
+    Normal& n = by_arm[arm_at(y, x)];
+    n.a += w * v * v.transpose();
+    n.b += w * v * Eigen::RowVector3d(c[0], c[1], c[2]);
+  }
+  std::size_t purest = 0;
+  double purity = 0;
+  for (std::size_t i = 1; i < arms; ++i) {
+    const double here = purity_of(by_arm[i].a, by_arm[i].b);
+    if (here > purity) {
+      purity = here;
+      purest = i;
+    }
+  }
+  Eigen::Matrix3d a = 1e-3 * Eigen::Matrix3d::Identity(), b = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < arms; ++i) {
+    const double share = purest == 0 || i == purest ? 1 : 0.02;
+    a += share * by_arm[i].a;
+    b += share * by_arm[i].b;
   }
   const Eigen::Matrix3d solved = a.ldlt().solve(b);
   if (!solved.allFinite()) return false;

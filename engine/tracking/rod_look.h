@@ -6,6 +6,9 @@
 
 namespace onestroke {
 
+/// The chromaticity of linear light (red, green, blue, 0..1) as cameras code it.
+Color chroma_of(const cv::Vec3f& linear);
+
 /// Gaussian blur, edges repeated; `sigma` in pixels of the plane.
 void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma);
 
@@ -22,6 +25,8 @@ class RodLook {
 
   /// Linear light, CV_32FC3; as seen, away from the rod's spots.
   const cv::Mat& picture() const { return picture_; }
+  /// What each ink was found to look like, linear light.
+  const std::array<cv::Vec3f, 3>& inks() const { return inks_; }
   /// Whether the picture is known at a pixel: surroundings and shading have something to be taken from.
   bool known(int y, int x) const { return known_.at<std::uint8_t>(y, x) != 0; }
 

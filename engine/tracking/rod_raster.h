@@ -36,6 +36,8 @@ class RodRaster {
   const cv::Mat& linear() const { return linear_; }
   /// By cast(), the share of each pixel that shows ink 0, 1, 2, and their sum: CV_32FC4.
   const cv::Mat& mix() const { return mix_; }
+  /// By cast(), whether a pixel shows more rod than anything else.
+  bool on_rod(int y, int x) const { return mix_.at<cv::Vec4f>(y, x)[3] > 0.5F; }
   /// By cast(), whether a pixel is within reach of the rod, and the cell and the point (camera axes, mm) that it shows
   /// or that are nearest to it.
   bool within_reach(std::size_t i) const { return near_[i]; }

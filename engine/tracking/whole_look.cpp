@@ -3,26 +3,34 @@
 #include "tracking/roll_search.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace onestroke {
 namespace {
 
-// Nats. Of candidates that are worth a fit, of fits that are worth a look beside them, of what is believed, and of the
-// lead over any other way of holding the rod.
-constexpr double worth_fitting = 25, worth_looking_beside = 40, min_likelihood = 55, min_margin = 6;
+// Nats. Of candidates that are worth a fit, and of fits that are worth a look beside them.
+constexpr double worth_fitting = 25, worth_looking_beside = 40;
+// Nats. Of what is believed: the likelihood, that of each straight arm (one that shows nothing proves no roll), the
+// lead over any other way of holding the rod, and the proof against a plain thing.
+constexpr double min_likelihood = 55, min_arm = 1, min_margin = 6, min_proof = 60;
 // Of the cells that are believed in, one in eight may show a wrong ink.
 constexpr int min_agreeing = 12, agreeing_per_contradiction = 8;
 // Starts nearer than this to one another (radians, share of the distance) are drawn into the same fit.
 constexpr double same_turn = 0.1, same_move = 0.04;
+// A best fit further from where the look began, as a share of the distance, stands before other surroundings.
+constexpr double far_off = 0.1;
 // Poses further apart than this are two ways of holding the rod, radians; nearer ones that are likely alike are one
 // pose, badly determined.
-constexpr double apart = 0.14, far_apart = 0.3;
+constexpr double apart = 0.14, far_apart = 0.2;
 // Beside the best fit: rolls about each arm to both sides.
 constexpr int max_rounds = 2, rolls_a_side = 6;
 constexpr double roll_step = 0.04;
 constexpr std::size_t max_climbs = 24, max_beside = 3;
 constexpr int rivals_an_arm = 3;
+constexpr std::size_t max_around = 6;
+// Radians.
+constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 // Cells shorter than this, pixels, edges that scatter by more, and where a smaller share of them is found: measured by
 // the whole look.
 constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
@@ -32,7 +40,7 @@ constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
 // The fits of one marker, best first, and what they are compared by.
 struct WholeLook::Fits {
   struct Fit : PhotometricFit {
-    const Inks* inks;
+    Inks inks;
   };
 
   Fits(const WholeLook& look, int marker, const EigenPose& about)
@@ -51,7 +59,21 @@ struct WholeLook::Fits {
   void add(const EigenPose& start, const Inks& inks) {
     const PhotometricFit f = fit(start, inks);
     if (!f.valid) return;
-    all.push_back({f, &inks});
+    all.push_back({f, inks});
+    likeliest_first(all);
+  }
+
+  // Likelihoods are compared before the surroundings of one place: those of the best fit, once it has been drawn in
+  // from afar.
+  void recentre() {
+    const EigenPose about = all.front().pose;
+    around = Surroundings(image, look.intrinsics_, rod, about);
+    for (Fit& f : all) {
+      const PhotometricFit again = fit(f.pose, f.inks, {false, f.blur});
+      f.likelihood = again.likelihood;
+      f.proof = again.proof;
+      f.weakest_arm = again.weakest_arm;
+    }
     likeliest_first(all);
   }
 
@@ -78,11 +100,36 @@ std::vector<PoseCandidate> WholeLook::climb_all(const Fits& fits, const std::vec
   return climbed;
 }
 
+// The other ways of holding the rod with one arm about where the best fit has it, its tilt being what is known worst.
+void WholeLook::look_around(Fits& fits) const {
+  const EigenPose pose = fits.all.front().pose;
+  const Inks inks = fits.all.front().inks;
+  const LikelihoodMeter meter = fits.meter(inks);
+  std::vector<RollCandidate> around;
+  for (const int cell : arm_middles(fits.rod))
+    for (const double tilt : tilts)
+      for (const RollCandidate& c : search_roll(meter, tilt_arm(fits.rod, pose, cell, tilt), cell, rivals_an_arm))
+        around.push_back(climb(meter, c.pose));
+  likeliest_first(around);
+  std::vector<EigenPose> tried;
+  for (const PhotometricFit& f : fits.all) tried.push_back(f.pose);
+  std::size_t count = 0;
+  for (const RollCandidate& c : around) {
+    if (count == max_around) break;
+    if (std::any_of(tried.begin(), tried.end(),
+                    [&](const EigenPose& t) { return angle_between(t, c.pose) < same_turn; }))
+      continue;
+    tried.push_back(c.pose);
+    fits.add(c.pose, inks);
+    ++count;
+  }
+}
+
 // An arm that points at the camera is drawn in from no further than its own thickness: the rolls around are measured,
 // and the best of them fitted.
 void WholeLook::look_beside(Fits& fits) const {
   const PhotometricFit best = fits.all.front();
-  const Inks& inks = *fits.all.front().inks;
+  const Inks inks = fits.all.front().inks;
   std::vector<PhotometricFit> beside;
   for (const int cell : arm_middles(fits.rod))
     for (int i = -rolls_a_side; i <= rolls_a_side; ++i) {
@@ -109,7 +156,7 @@ Detection WholeLook::measure(const Fits& fits) const {
   const Fits::Fit& best = fits.all.front();
   Detection d;
   d.marker = fits.marker;
-  d.inks = *best.inks;
+  d.inks = best.inks;
   d.likelihood = best.likelihood;
   d.refinement = refine(fits.image, intrinsics_, fits.rod, d.inks, best.pose);
   const Refinement& r = d.refinement;
@@ -124,9 +171,28 @@ Detection WholeLook::measure(const Fits& fits) const {
 }
 
 bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits, Detection& detection) const {
+  detection.likelihood = 0;
   Fits fits(*this, candidates.front().marker, candidates.front().pose);
+  fit_likeliest(fits, candidates, max_fits);
+  if (fits.all.empty() || fits.all.front().likelihood < worth_looking_beside) return false;
+  const Appearance rough = assess(fits.image, intrinsics_, fits.rod, fits.all.front().inks, fits.all.front().pose);
+  if (3 * rough.contradicts > rough.agrees) return false;
+  if (relative_distance(fits.all.front().pose, candidates.front().pose) > far_off) fits.recentre();
+  look_around(fits);
+  for (int round = 0; round < max_rounds; ++round) {
+    const EigenPose before = fits.all.front().pose;
+    look_beside(fits);
+    if (fits.rod.has_roll()) fits.add(mirrored(fits.rod, fits.all.front().pose), fits.all.front().inks);
+    if (angle_between(before, fits.all.front().pose) < 0.01) break;
+  }
+  detection = measure(fits);
+  return believed(fits, detection);
+}
+
+// Fits the candidates that the meter finds likeliest, once each.
+void WholeLook::fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& candidates, std::size_t max_fits) {
   const std::vector<PoseCandidate> climbed = climb_all(fits, candidates);
-  if (climbed.front().likelihood < worth_fitting) return false;
+  if (climbed.front().likelihood < worth_fitting) return;
   std::vector<const PoseCandidate*> tried;
   for (const PoseCandidate& c : climbed) {
     if (tried.size() == max_fits) break;
@@ -137,24 +203,19 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
     tried.push_back(&c);
     fits.add(c.pose, c.inks);
   }
-  if (fits.all.empty() || fits.all.front().likelihood < worth_looking_beside) return false;
-  const Appearance rough = assess(fits.image, intrinsics_, fits.rod, *fits.all.front().inks, fits.all.front().pose);
-  if (3 * rough.contradicts > rough.agrees) return false;
-  for (int round = 0; round < max_rounds; ++round) {
-    const EigenPose before = fits.all.front().pose;
-    look_beside(fits);
-    if (fits.rod.has_roll()) fits.add(mirrored(fits.rod, fits.all.front().pose), *fits.all.front().inks);
-    if (angle_between(before, fits.all.front().pose) < 0.01) break;
-  }
+}
+
+bool WholeLook::believed(const Fits& fits, const Detection& d) {
   const Fits::Fit& best = fits.all.front();
-  if (best.likelihood < min_likelihood) return false;
-  for (const Fits::Fit& f : fits.all)
-    if (angle_between(f.pose, best.pose) > far_apart && f.likelihood > best.likelihood - min_margin) return false;
-  detection = measure(fits);
-  const Appearance& a = detection.appearance;
+  if (best.likelihood < min_likelihood || best.proof < min_proof) return false;
+  const bool rival = std::any_of(fits.all.begin(), fits.all.end(), [&](const Fits::Fit& f) {
+    return angle_between(f.pose, best.pose) > far_apart && f.likelihood > best.likelihood - min_margin;
+  });
+  if (rival) return false;
+  const Appearance& a = d.appearance;
   if (a.agrees < min_agreeing || agreeing_per_contradiction * a.contradicts > a.agrees) return false;
   if (!fits.rod.has_roll()) return true;
-  return roll_margin(fits.meter(detection.inks), best.pose) > 0;
+  return best.weakest_arm > min_arm && roll_margin(fits.meter(d.inks), best.pose) > 0;
 }
 
 void WholeLook::settle_rivals(std::vector<Detection>& proven) const {
@@ -199,8 +260,9 @@ void WholeLook::polish(Detection& d) const {
   const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, best.blur});
   if (!as_it_was.valid || likelier(as_it_was, best)) return;
   if (angle_between(best.pose, r.pose) > apart) {
-    d = measure(fits);
-  } else {
+    // What ring edges say is overruled by a clear case only.
+    if (best.likelihood > as_it_was.likelihood + min_margin && best.weakest_arm > min_arm) d = measure(fits);
+  } else if (small || r.rms > loose) {
     d.refinement.pose = best.pose;
     d.refinement.covariance = best.covariance;
   }

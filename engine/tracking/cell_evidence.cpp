@@ -1,0 +1,87 @@
+#include "tracking/cell_evidence.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace onestroke {
+namespace {
+
+using Pixel3 = cv::Vec3f;
+using Pixel4 = cv::Vec4f;
+
+constexpr double samples_per_cell = 2;
+// How common plain things are where a rod may be, and the square over which they are plain: a few rings, working
+// pixels.
+constexpr float plain_share = 0.2F;
+constexpr int plain_side = 21;
+// Of the sensor, linear light.
+constexpr float sensor_noise = 0.004F, black = 0.003F;
+
+// The mean of what is seen on the rod around each pixel; the fourth component is not used.
+cv::Mat plain_picture(const RodRaster& raster, const cv::Mat& seen) {
+  cv::Mat part(seen.rows, seen.cols, CV_32FC4, cv::Scalar(0, 0, 0, 0)), mean;
+  for (const auto& [y, x, i] : raster.spots()) {
+    if (!raster.on_rod(y, x)) continue;
+    const Pixel3& c = seen.at<Pixel3>(y, x);
+    part.at<Pixel4>(y, x) = Pixel4(c[0], c[1], c[2], 1);
+  }
+  cv::blur(part, mean, cv::Size(plain_side, plain_side), cv::Point(-1, -1), cv::BORDER_CONSTANT);
+  return mean;
+}
+
+}  // namespace
+
+void CellEvidence::sample(const cv::Mat& seen) {
+  samples_.clear();
+  const cv::Mat plain = plain_picture(raster_, seen);
+  for (const auto& [y, x, i] : raster_.spots()) {
+    if (!raster_.on_rod(y, x) || !look_.known(y, x)) continue;
+    const Pixel3& c = seen.at<Pixel3>(y, x);
+    const Pixel4& p = plain.at<Pixel4>(y, x);
+    samples_.push_back({static_cast<std::size_t>(raster_.cell(i)), chroma_of(c),
+                        chroma_of(look_.picture().at<Pixel3>(y, x)),
+                        chroma_of(Pixel3(p[0], p[1], p[2]) * (1 / std::max(p[3], 1e-6F))),
+                        sensor_noise / (c[0] + c[1] + c[2] + black)});
+  }
+}
+
+void CellEvidence::weigh(float spread, float any_ring) {
+  const RodModel& rod = raster_.rod();
+  const double scale = around_.pixels_per_mm() / raster_.factor();
+  const double share = samples_per_cell / (2 * rod.radius() * rod.pitch() * scale * scale);
+  std::array<double, max_cells> pixels{};
+  surroundings_.fill(0);
+  plain_.fill(0);
+  for (const Sample& s : samples_) {
+    const float variance = spread * spread + s.noise * s.noise;
+    float as_rod = (1 - any_ring) * chroma_density(s.seen - s.predicted, variance);
+    if (any_ring > 0)
+      for (const Color& ink : inks_.chroma) as_rod += any_ring / 3 * chroma_density(s.seen - ink, variance);
+    const float around = around_.density(s.seen);
+    ++pixels[s.cell];
+    surroundings_[s.cell] += share * log_ratio(as_rod, around);
+    plain_[s.cell] += share * log_ratio(as_rod, around + plain_share * chroma_density(s.seen - s.plain, variance));
+  }
+  for (std::size_t c = 0; c < pixels.size(); ++c) {
+    // A rod that is taken for nearer than it is does not see more.
+    const double excess = std::max(1.0, share / samples_per_cell * pixels[c]);
+    surroundings_[c] /= excess;
+    plain_[c] /= excess;
+  }
+}
+
+double CellEvidence::weakest_arm() const {
+  double weakest = 1e9;
+  const RodModel& rod = raster_.rod();
+  for (int first = 0, last = 0; first < rod.cell_count(); first = last) {
+    while (last < rod.cell_count() && rod.arm_of(last) == rod.arm_of(first)) ++last;
+    if (rod.arm_of(first) < 0) continue;
+    const auto from = static_cast<std::size_t>(first), count = static_cast<std::size_t>(last - first);
+    weakest = std::min(weakest, visible_or_covered(against_surroundings().subspan(from, count)));
+  }
+  return weakest;
+}
+
+}  // namespace onestroke
