@@ -8,22 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace onestroke::test {
 namespace {
-
-/// Greys out a square of the picture, as a hand in a grey glove.
-void cover(Shot& shot, double u, double v, int half) {
-  for (int y = std::max(0, static_cast<int>(v) - half); y < std::min(shot.image.height, static_cast<int>(v) + half);
-       ++y)
-    for (int x = std::max(0, static_cast<int>(u) - half); x < std::min(shot.image.width, static_cast<int>(u) + half);
-         ++x)
-      for (int c = 0; c < 3; ++c)
-        shot.image.rgb[static_cast<std::size_t>(3 * (y * shot.image.width + x) + c)] =
-            static_cast<std::uint8_t>(90 + (7 * x + 11 * y) % 9);
-}
 
 TEST(VisibleOrCovered, SaysNothingWhereTheCellsSayNothing) {
   EXPECT_NEAR(visible_or_covered(std::vector<double>(36, 0.0)), 0, 1e-12);
@@ -38,6 +27,29 @@ TEST(VisibleOrCovered, OneCoverIsLikelierThanManySmallOnes) {
   std::vector<double> run(36, 3.0), scattered(36, 3.0);
   for (std::size_t i = 0; i < 12; ++i) run[12 + i] = scattered[3 * i] = -4;
   EXPECT_GT(visible_or_covered(run), visible_or_covered(scattered) + 10);
+}
+
+// Against the sum over every way of covering a short row.
+TEST(VisibleProbabilities, AreThoseOfAllWaysOfCovering) {
+  const std::vector<double> ratios{2, -3, -4, 0.5, 1, -1, 6, -2};
+  constexpr double begins = 0.04, ends = 0.15, seen = ends / (begins + ends);
+  std::vector<double> expected(ratios.size(), 0.0);
+  double all = 0;
+  for (unsigned way = 0; way < 256; ++way) {
+    double p = 1;
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+      const bool here = way >> i & 1U, before = i > 0 && (way >> (i - 1) & 1U);
+      const double shown = i == 0 ? seen : before ? 1 - begins : ends;
+      p *= here ? shown * std::exp(ratios[i]) : 1 - shown;
+    }
+    all += p;
+    for (std::size_t i = 0; i < ratios.size(); ++i)
+      if (way >> i & 1U) expected[i] += p;
+  }
+  std::vector<double> probabilities(ratios.size());
+  visible_probabilities(ratios, probabilities);
+  for (std::size_t i = 0; i < ratios.size(); ++i) EXPECT_NEAR(probabilities[i], expected[i] / all, 1e-9) << i;
+  EXPECT_NEAR(visible_or_covered(ratios), std::log(all), 1e-9);
 }
 
 TEST(LikelihoodMeter, IsHighestWhereTheMarkerIs) {
@@ -76,7 +88,7 @@ TEST(LikelihoodMeter, LeavesTheRollOpenWhereAnArmIsCovered) {
   };
   const double open = margin();
   const Vec2d middle = (tip + corner) / 2;
-  cover(shot, middle.x(), middle.y(), static_cast<int>((tip - corner).norm() / 2) + 8);
+  cover(shot, middle, static_cast<int>((tip - corner).norm() / 2) + 8, {93, 93, 93});
   EXPECT_GT(open, 5);
   EXPECT_LT(margin(), 4);
 }

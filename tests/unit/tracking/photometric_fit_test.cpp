@@ -71,6 +71,67 @@ TEST(PhotometricFit, PrefersTheTruthToAnotherPose) {
   }
 }
 
+/// Where a section of the rod stands in the picture.
+Vec2d pixel_of(const Shot& shot, const Pose& pose, const Vec3d& point) {
+  Vec2d pixel;
+  EXPECT_TRUE(project(shot.intrinsics, to_eigen(pose) * point, pixel));
+  return pixel;
+}
+
+constexpr std::array<int, 3> skin{205, 150, 125};
+
+TEST(PhotometricFit, FingersDoNotDrawItAway) {
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  RandomPose random;
+  for (int i = 0; i < 6; ++i) {
+    const Pose truth = random_view(random);
+    Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
+    const Inks inks = inks_at(shot, rod, truth);
+    for (const int cell : {6, 12, 27}) cover(shot, pixel_of(shot, truth, rod.middle(cell).centre), 22, skin);
+    const ImageView view = shot.view();
+    const EigenPose start = to_eigen(disturbed(truth, random, 1, 0.5));
+    const Surroundings around(view, shot.intrinsics, rod, start);
+    const PhotometricFit f = fit_photometric(view, shot.intrinsics, rod, inks, around, start);
+    ASSERT_TRUE(f.valid) << i;
+    EXPECT_LT(turn_between(from_eigen(f.pose), truth), 1.0) << i;
+    EXPECT_GT(f.weakest_arm, 1) << i;
+    EXPECT_GT(f.proof, 40) << i;
+  }
+}
+
+TEST(PhotometricFit, AnArmThatIsCoveredShowsNothing) {
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  const Pose truth = about_middle(exp_so3({0.3, 0.2, 0.1}), {0, 0, 350});
+  Shot shot = shoot(marker, truth);
+  const Inks inks = inks_at(shot, rod, truth);
+  const auto weakest = [&] {
+    const Surroundings around(shot.view(), shot.intrinsics, rod, to_eigen(truth));
+    const PhotometricFit f =
+        fit_photometric(shot.view(), shot.intrinsics, rod, inks, around, to_eigen(truth), {.fit = false, .blur = 0.6});
+    EXPECT_TRUE(f.valid);
+    return f.weakest_arm;
+  };
+  EXPECT_GT(weakest(), 30);
+  const Vec2d tip = pixel_of(shot, truth, rod.edge(36).centre), corner = pixel_of(shot, truth, rod.edge(19).centre);
+  cover(shot, (tip + corner) / 2, static_cast<int>((tip - corner).norm() / 2) + 8, skin);
+  EXPECT_LT(weakest(), 1);
+}
+
+TEST(PhotometricFit, APlainThingIsNoRod) {
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  const Pose pose = about_middle(exp_so3({0.3, 0.2, 0.1}), {0, 0, 350});
+  Shot shot = shoot(marker, pose);
+  const Inks inks = inks_at(shot, rod, pose);
+  for (int cell = 0; cell < rod.cell_count(); ++cell)
+    cover(shot, pixel_of(shot, pose, rod.middle(cell).centre), 16, skin);
+  const Surroundings around(shot.view(), shot.intrinsics, rod, to_eigen(pose));
+  const PhotometricFit f = fit_photometric(shot.view(), shot.intrinsics, rod, inks, around, to_eigen(pose));
+  EXPECT_TRUE(!f.valid || f.proof < 10) << f.proof;
+}
+
 TEST(PhotometricFit, IsInvalidWhereNothingIsSeen) {
   const MarkerSpec marker = angle_marker(2);
   const RodModel rod(marker);

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace onestroke::test {
 
 /// The inks as the picture shows them at the true pose.
@@ -45,6 +48,17 @@ void for_disturbed_starts(Check check) {
             disturbed(truth, random, 1.5, 1));
     }
   }
+}
+
+/// A square of one colour, somewhat grained, in front of all: a finger, a glove.
+inline void cover(Shot& shot, const Vec2d& middle, int half, std::array<int, 3> color) {
+  const auto from = [&](double x) { return std::max(0, static_cast<int>(x) - half); };
+  const auto to = [&](double x, int size) { return std::min(size, static_cast<int>(x) + half); };
+  for (int y = from(middle.y()); y < to(middle.y(), shot.image.height); ++y)
+    for (int x = from(middle.x()); x < to(middle.x(), shot.image.width); ++x)
+      for (int c = 0; c < 3; ++c)
+        shot.image.rgb[static_cast<std::size_t>(3 * (y * shot.image.width + x) + c)] =
+            static_cast<std::uint8_t>(color[static_cast<std::size_t>(c)] - 4 + (7 * x + 11 * y) % 9);
 }
 
 /// The stop arm points at the camera, but for `degrees`; the start arm lies across the picture.
