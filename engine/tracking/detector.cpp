@@ -46,6 +46,22 @@ bool collide(const RodModel& rod_a, const Detection& a, const RodModel& rod_b, c
   return inside >= 5;
 }
 
+// A marker that is proven already explains much of what the candidate would. Two that cross share fewer cells.
+bool explained(const Intrinsics& k, const RodModel& rod, const PoseCandidate& c, const std::vector<Detection>& proven) {
+  constexpr int shared_cells = 6;
+  const double reach = 0.5 * pitch_in_pixels(k, rod, c.pose);
+  return std::any_of(proven.begin(), proven.end(), [&](const Detection& d) {
+    int shared = 0;
+    for (int i = 0; i < rod.cell_count(); ++i) {
+      Vec2d p;
+      if (!project(k, c.pose * rod.middle(i).centre, p)) continue;
+      shared += std::any_of(d.appearance.cells.begin(), d.appearance.cells.end(),
+                            [&](const CellCentre& q) { return std::hypot(p.x() - q.u, p.y() - q.v) < reach; });
+    }
+    return shared >= shared_cells;
+  });
+}
+
 // Two starts from which the refinement ends in the same place.
 bool alike(const EigenPose& a, const EigenPose& b) {
   return angle_between(a, b) < 0.015 && relative_distance(a, b) < 0.007;
@@ -220,8 +236,8 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
 }
 
 // The markers that ring edges did not prove.
-void Detector::prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& candidates,
-                             std::vector<Detection>& proven) const {
+void Detector::prove_by_look(const WholeLook& look, const Intrinsics& intrinsics,
+                             std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const {
   likeliest_first(candidates);
   std::vector<Detection> doubtful;
   for (std::size_t m = 0; m < rods_.size(); ++m) {
@@ -229,7 +245,7 @@ void Detector::prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& 
     if (std::any_of(proven.begin(), proven.end(), [&](const Detection& d) { return d.marker == marker; })) continue;
     std::vector<PoseCandidate> own;
     for (const PoseCandidate& c : candidates)
-      if (c.marker == marker && c.likelihood > 0) own.push_back(c);
+      if (c.marker == marker && c.likelihood > 0 && !explained(intrinsics, rods_[m], c, proven)) own.push_back(c);
     Detection d;
     if (own.empty()) continue;
     const bool proof = look.prove(own, search_.max_fits, d);
@@ -304,7 +320,7 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   for (const Proposal& s : singles_)
     if (!settled(s, proven)) complete_arm(levels, intrinsics, s, candidates, proven);
   const WholeLook look(levels, intrinsics, rods_);
-  if (search_.max_fits > 0) prove_by_look(look, candidates, proven);
+  if (search_.max_fits > 0) prove_by_look(look, intrinsics, candidates, proven);
   look.settle_rivals(proven);
   select(intrinsics, proven, detections);
   for (Detection& d : detections) look.polish(d);

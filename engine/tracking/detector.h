@@ -58,7 +58,7 @@ class Detector {
   static void relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& detection);
   void complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
                     std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const;
-  void prove_by_look(const WholeLook& look, std::vector<PoseCandidate>& candidates,
+  void prove_by_look(const WholeLook& look, const Intrinsics& intrinsics, std::vector<PoseCandidate>& candidates,
                      std::vector<Detection>& proven) const;
   void thin_singles();
   Inks inks_of(const ImageView& image, const Proposal& proposal) const;
