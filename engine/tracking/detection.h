@@ -12,6 +12,10 @@ struct Detection {
   Appearance appearance;
   Inks inks;
   double likelihood = 0;  ///< PhotometricFit's, where its whole look proved it.
+  /// Where the shutter rolls, how it moves: see Motion; and the covariance of both, angular first.
+  bool moving = false;
+  Vec3d angular = Vec3d::Zero(), linear = Vec3d::Zero();
+  Matrix6d velocity_covariance = Matrix6d::Zero();
 };
 
 /// Where a marker may be, not proven yet.

@@ -23,6 +23,35 @@ constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F},
 constexpr float min_ink_separation = 0.02F;
 constexpr int min_agreeing = 9;
 
+// As far as a hand may have brought the marker off its prediction, along the middle of the rod; then to the edges.
+constexpr std::array<LineOptions, 2> following_passes{{{10, 1000, 1, 1000}, {4, 8, 3, 16}}};
+constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
+constexpr int max_settlings = 3;
+constexpr double settled_share = 0.68;
+
+// The edges of the cells in sight are where they should be: a pose that fits one arm only has cells that agree, but not
+// their edges.
+bool settled(const Detection& d) {
+  const double seen = static_cast<double>(d.appearance.agrees) / std::max(1, d.appearance.in_sight);
+  return d.refinement.supported > settled_share * seen * d.refinement.expected;
+}
+
+// What a line fit found, as refine() counts it: five lines an edge.
+Refinement refinement_of(const LineFit& fit) {
+  constexpr int lines = 5;
+  Refinement r;
+  r.pose = fit.motion.pose;
+  r.covariance = fit.pose_covariance();
+  r.expected = lines * fit.edges;
+  for (std::size_t c = 0; c < r.support.size(); ++c) {
+    r.support[c] = lines * fit.support[c];
+    r.supported += static_cast<double>(r.support[c]);
+  }
+  r.rms = fit.rms;
+  r.valid = fit.valid;
+  return r;
+}
+
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
   int shared = 0;
@@ -180,6 +209,27 @@ bool Detector::prove(const Levels& levels, const Intrinsics& intrinsics, int mar
   return true;
 }
 
+bool Detector::follow(const TimedView& view, int marker, const Motion& predicted, const VelocityPrior& prior,
+                      const Inks& inks, Detection& detection) {
+  const RodModel& rod = rods_[static_cast<std::size_t>(marker)];
+  LineFit fit = fitter_.fit(view, rod, inks, predicted, prior, following_passes);
+  Detection d{marker, {}, {}, inks};
+  for (int again = 0; fit.valid; ++again) {
+    d.refinement = refinement_of(fit);
+    d.appearance = assess(view.image, view.intrinsics, rod, inks, fit.motion.pose);
+    if (settled(d)) break;
+    if (again == max_settlings) return false;
+    fit = fitter_.fit(view, rod, inks, fit.motion, prior, settling_passes);
+  }
+  if (!believable(rod, d.refinement, d.appearance)) return false;
+  d.moving = view.clock.rolls();
+  d.angular = fit.motion.angular;
+  d.linear = fit.motion.linear;
+  d.velocity_covariance = fit.covariance.bottomRightCorner<6, 6>();
+  detection = std::move(d);
+  return true;
+}
+
 // The few cells that made the guess may show the inks badly; all cells at the pose show them better, if the pose is
 // right.
 void Detector::relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& d) {
@@ -292,8 +342,9 @@ void Detector::select(const Intrinsics& intrinsics, std::vector<Detection>& prov
   }
 }
 
-void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const std::vector<bool>& skip,
+void Detector::detect(const TimedView& view, const Levels& levels, const std::vector<bool>& skip,
                       std::vector<Detection>& detections) {
+  const Intrinsics& intrinsics = view.intrinsics;
   detections.clear();
   pairs_.clear();
   singles_.clear();
@@ -323,7 +374,10 @@ void Detector::detect(const Levels& levels, const Intrinsics& intrinsics, const 
   if (search_.max_fits > 0) prove_by_look(look, intrinsics, candidates, proven);
   look.settle_rivals(proven);
   select(intrinsics, proven, detections);
-  for (Detection& d : detections) look.polish(d);
+  for (Detection& d : detections) {
+    look.polish(d);
+    sharpener_.sharpen(view, rod(d.marker), d);
+  }
 }
 
 }  // namespace onestroke

@@ -6,6 +6,7 @@
 #include "tracking/proposals.h"
 #include "tracking/roll_search.h"
 #include "tracking/segmentation.h"
+#include "tracking/sharpen.h"
 
 #include <vector>
 
@@ -41,11 +42,16 @@ class Detector {
 
   /// Markers whose index is flagged in `skip` (may be empty) are not looked for. One detection a marker at most, best
   /// first.
-  void detect(const Levels& levels, const Intrinsics& intrinsics, const std::vector<bool>& skip,
+  void detect(const TimedView& view, const Levels& levels, const std::vector<bool>& skip,
               std::vector<Detection>& detections);
   /// Refines a marker from a pose near the true one and proves it; false where it is not believable there.
   bool prove(const Levels& levels, const Intrinsics& intrinsics, int marker, const EigenPose& start, const Inks& inks,
              Detection& detection) const;
+
+  /// Finds a marker near where it is predicted, at a small part of the cost; false where its ring edges do not show
+  /// there. The velocity is that of Motion.
+  bool follow(const TimedView& view, int marker, const Motion& predicted, const VelocityPrior& prior, const Inks& inks,
+              Detection& detection);
 
   const RodModel& rod(int marker) const { return rods_[static_cast<std::size_t>(marker)]; }
   std::size_t marker_count() const { return rods_.size(); }
@@ -67,6 +73,8 @@ class Detector {
   const Catalog& catalog_;
   Search search_;
   std::vector<RodModel> rods_;
+  Sharpener sharpener_;
+  LineFitter fitter_;
   CellFinder cell_finder_;
   ChainFinder chain_finder_;
   std::vector<std::uint8_t> labels_;

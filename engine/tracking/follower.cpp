@@ -15,13 +15,20 @@ constexpr double angular_speed = 12, linear_speed = 1500;
 // After a gap this long a difference of poses says nothing of the motion now.
 constexpr double max_gap_s = 0.25;
 constexpr Duration max_prediction = Duration::from_ms(200);
+constexpr double max_acceleration_s = 0.05;
 // A jerk, half as much again as the usual acceleration, and what noise adds to the prediction.
 constexpr double jerk = 1.5, turn_slack = 0.12, shift_slack = 10;
+
+Velocity plus(const Velocity& v, double factor, const Velocity& w) {
+  return {v.angular + factor * w.angular, v.linear + factor * w.linear};
+}
 
 }  // namespace
 
 Pose Follower::predict(Time t) const {
-  return advance(T_world_marker_, velocity_, std::min(t - last_, max_prediction));
+  const Duration ahead = std::min(t - last_, max_prediction);
+  const double h = ahead.seconds(), u = std::min(h, max_acceleration_s);
+  return advance(T_world_marker_, h > 0 ? plus(velocity_, u - u * u / (2 * h), acceleration_) : velocity_, ahead);
 }
 
 bool Follower::plausible(Time t, const Pose& T_world_marker) const {
@@ -36,16 +43,19 @@ bool Follower::plausible(Time t, const Pose& T_world_marker) const {
              shift_slack + reach * linear_acceleration + unknown * linear_speed;
 }
 
-void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks,
-                        const std::array<double, 36>& covariance) {
+void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance,
+                        const Velocity* velocity) {
   const double dt = (t - last_).seconds();
-  if (phase_ == Phase::followed && dt > 0 && dt < max_gap_s) {
-    const Velocity now = velocity_between(T_world_marker_, T_world_marker, t - last_);
-    // The mean of the last two halves what one bad measurement does to a prediction.
-    velocity_ = moving_ ? Velocity{(velocity_.angular + now.angular) / 2, (velocity_.linear + now.linear) / 2} : now;
+  if (velocity) {
+    velocity_ = *velocity;
+    moving_ = true;
+    acceleration_ = {};
+  } else if (phase_ == Phase::followed && dt > 0 && dt < max_gap_s) {
+    covariance_ = covariance;
+    learn_velocity(velocity_between(T_world_marker_, T_world_marker, t - last_), dt);
     moving_ = true;
   } else {
-    velocity_ = {};
+    velocity_ = acceleration_ = {};
     moving_ = false;
   }
   phase_ = Phase::followed;
@@ -53,6 +63,31 @@ void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks,
   T_world_marker_ = T_world_marker;
   inks_ = inks;
   covariance_ = covariance;
+}
+
+// What the change of the velocity says of the acceleration, as far as it stands out of what the measurements' own
+// errors would make of it (Wiener's factor).
+void Follower::learn_velocity(const Velocity& mean, double dt) {
+  const Velocity before = moving_ ? mean_velocity_ : mean;
+  const auto learn = [&](Vec3 from, Vec3 to, std::size_t first) {
+    const Vec3 a = (to - from) / dt;
+    double variance = 0;
+    for (std::size_t i = first; i < first + 3; ++i) variance += covariance_[7 * i];
+    const double noise = 6 * variance / (dt * dt * dt * dt), signal = std::max(0.0, dot(a, a) - noise);
+    return signal / (signal + noise + 1e-12) * a;
+  };
+  acceleration_ = {learn(before.angular, mean.angular, 0), learn(before.linear, mean.linear, 3)};
+  mean_velocity_ = mean;
+  velocity_ = plus(mean, dt / 2, acceleration_);
+}
+
+VelocityPrior Follower::velocity_prior(Time t) const {
+  VelocityPrior prior;
+  if (!moving_) return prior;
+  const double dt = (t - last_).seconds();
+  prior.angular = std::min(prior.angular, jerk * angular_acceleration * dt);
+  prior.linear = std::min(prior.linear, jerk * linear_acceleration * dt);
+  return prior;
 }
 
 void Follower::missed(Time t, const TrackerOptions& options) {

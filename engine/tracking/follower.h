@@ -15,18 +15,21 @@ class Follower {
   bool ever_seen() const { return phase_ != Phase::unknown; }
   const Inks& inks() const { return inks_; }
 
-  /// T_world_marker at a time: at constant velocity from the last measurement for 200 ms, then standing still, since a
-  /// hand that is not seen stops as likely as it goes on.
+  /// T_world_marker at a time: the acceleration lasts for 50 ms after the last measurement, the velocity for 200 ms, as
+  /// a hand that is not seen stops as likely as it goes on.
   Pose predict(Time t) const;
   /// A hand can have brought the marker from where it was last seen to this pose. True where it is not followed.
   bool plausible(Time t, const Pose& T_world_marker) const;
-  /// Takes a measurement in.
-  void measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance);
+  /// Takes a measurement in. `velocity`: of T_world_marker, where the picture told it, or else nullptr.
+  void measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance,
+                const Velocity* velocity = nullptr);
   /// The marker was not found at a time: followed becomes lost, and lost becomes unknown.
   void missed(Time t, const TrackerOptions& options);
   void forget() { *this = {}; }
 
   Velocity velocity() const { return velocity_; }
+  /// How certain the velocity is at a time.
+  VelocityPrior velocity_prior(Time t) const;
   /// Covariance of the prediction: the last measurement's, grown with the time since.
   std::array<double, 36> predicted_covariance(Time t) const;
 
@@ -34,8 +37,12 @@ class Follower {
   Phase phase_ = Phase::unknown;
   Time last_;
   Pose T_world_marker_;
-  Velocity velocity_;    // Of T_world_marker: rad/s about world axes, mm/s.
-  bool moving_ = false;  // velocity_ has been measured.
+  void learn_velocity(const Velocity& mean, double dt);
+
+  // Of T_world_marker, rad/s about world axes and mm/s: at the last measurement, and on average since the one before.
+  Velocity velocity_, mean_velocity_;
+  Velocity acceleration_;  // rad/s^2, mm/s^2.
+  bool moving_ = false;    // velocity_ has been measured.
   Inks inks_;
   std::array<double, 36> covariance_{};
 };

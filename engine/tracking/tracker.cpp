@@ -23,6 +23,12 @@ Velocity in_camera(const Velocity& v, const Pose& T_world_camera) {
   return {rotate(to_camera, v.angular), rotate(to_camera, v.linear)};
 }
 
+// The same the other way round.
+Velocity in_world(const Detection& d, const Pose& T_world_camera) {
+  const auto turned = [&](const Vec3d& v) { return rotate(T_world_camera.rotation, Vec3{v.x(), v.y(), v.z()}); };
+  return {turned(d.angular), turned(d.linear)};
+}
+
 }  // namespace
 
 class Tracker::Impl {
@@ -36,10 +42,11 @@ class Tracker::Impl {
   void process(const Picture& picture, FrameRecord& record) {
     const Time begin = Time::now();
     start(picture, record);
-    const Levels levels = levels_.make(rgb_view(picture, rgb_));
-    if (!options_.independent) follow(picture, levels);
+    const TimedView view{rgb_view(picture, rgb_), picture.intrinsics, {picture.exposure, picture.height}};
+    levels_made_ = false;
+    if (!options_.independent) follow(picture, view);
     if (search_due()) {
-      detector_.detect(levels, picture.intrinsics, found_, detections_);
+      detector_.detect(view, levels(view), found_, detections_);
       for (const Detection& d : detections_) take(picture, d);
     }
     report(picture, record);
@@ -70,18 +77,31 @@ class Tracker::Impl {
     if (!followers_[m].plausible(time_, T_world_marker)) return;
     found_[m] = true;
     measured_.push_back(d);
-    followers_[m].measured(time_, T_world_marker, d.inks, flatten(d.refinement.covariance));
+    const Velocity seen = in_world(d, picture.T_world_camera);
+    followers_[m].measured(time_, T_world_marker, d.inks, flatten(d.refinement.covariance), d.moving ? &seen : nullptr);
+  }
+
+  // Smoothing takes longer than following, and is seldom needed then.
+  const Levels& levels(const TimedView& view) {
+    if (!levels_made_) smoothed_ = levels_.make(view.image);
+    levels_made_ = true;
+    return smoothed_;
   }
 
   // Looks for each marker where it must be: predicted by its velocity, or where it last was if it stopped.
-  void follow(const Picture& picture, const Levels& levels) {
+  void follow(const Picture& picture, const TimedView& view) {
     const Pose T_camera_world = inverse(picture.T_world_camera);
     for (std::size_t m = 0; m < followers_.size(); ++m) {
       const Follower& f = followers_[m];
       if (f.phase() != Follower::Phase::followed) continue;
-      const EigenPose start = to_eigen(T_camera_world * f.predict(time_));
+      const Velocity velocity = in_camera(f.velocity(), picture.T_world_camera);
+      const Motion start{to_eigen(T_camera_world * f.predict(time_)), to_eigen(velocity.angular),
+                         to_eigen(velocity.linear)};
+      const int marker = static_cast<int>(m);
       Detection d;
-      if (detector_.prove(levels, picture.intrinsics, static_cast<int>(m), start, f.inks(), d)) take(picture, d);
+      if (detector_.follow(view, marker, start, f.velocity_prior(time_), f.inks(), d) ||
+          detector_.prove(levels(view), picture.intrinsics, marker, start.pose, f.inks(), d))
+        take(picture, d);
     }
   }
 
@@ -140,6 +160,8 @@ class Tracker::Impl {
   std::vector<Detection> detections_, measured_;
   std::vector<std::uint8_t> rgb_;
   LevelMaker levels_;
+  Levels smoothed_;
+  bool levels_made_ = false;
   Time time_, last_time_;
   int since_search_ = 0;
 };

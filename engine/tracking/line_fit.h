@@ -1,0 +1,51 @@
+#pragma once
+
+#include "tracking/ring_lines.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace onestroke {
+
+using Matrix12d = Eigen::Matrix<double, 12, 12>;
+
+/// What is known of a velocity before the picture: its standard deviations, rad/s and mm/s.
+struct VelocityPrior {
+  double angular = 12, linear = 1500;
+};
+
+struct LineFit {
+  Motion motion;
+  /// Of a left perturbation of the pose and of the velocity: rotation rad, translation mm, angular rad/s, linear mm/s.
+  Matrix12d covariance = Matrix12d::Zero();
+  int expected = 0, shown = 0;  ///< LineSet's, of the last pass.
+  double supported = 0;         ///< Sum of the ring edges' robust weights.
+  /// The share of each edge's lines in sight that are where they should be, by the cell after it; and how many edges
+  /// are in sight.
+  std::array<float, max_cells> support{};
+  int edges = 0;
+  double rms = 0;      ///< Of the ring edges' residuals, weighted, pixels.
+  bool valid = false;  ///< The system was solvable.
+
+  /// Most of the edges that show the right inks are where the motion has them. Where not, it fits a part of the rod
+  /// only.
+  bool settled() const { return valid && supported > 0.7 * shown; }
+
+  Eigen::Matrix<double, 6, 6> pose_covariance() const { return covariance.topLeftCorner<6, 6>(); }
+};
+
+/// Fits a motion to the rod's edges in a picture. Keeps its memory between pictures; used by one thread at a time.
+class LineFitter {
+ public:
+  /// Passes over the picture, one after another. Where the shutter rolls the velocity is fitted with the pose, from and
+  /// about the start's; elsewhere it stays as it is.
+  LineFit fit(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& start,
+              const VelocityPrior& prior, std::span<const LineOptions> passes);
+
+ private:
+  LineSet set_;
+  std::vector<double> scratch_;
+};
+
+}  // namespace onestroke

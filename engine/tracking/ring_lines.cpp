@@ -1,0 +1,284 @@
+#include "tracking/ring_lines.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace onestroke {
+namespace {
+
+// Samples along a line, from -reach to reach, and the step's blur, as a share of the reach.
+constexpr int steps = 9;
+constexpr double step_blur = 0.4;
+// Of the step, what must lie within the reach.
+constexpr float min_rise = 0.6F;
+// A surface seen at a flatter angle than this (cosine) shows gloss and what is behind.
+constexpr double min_facing = 0.2;
+// Less than this many pixels to the middle of the next cell: the inks run together.
+constexpr double min_reach = 1.2;
+// Pixels from the outline within which the background shines in.
+constexpr double rim = 1.2;
+// Two inks differ by this at least, levels.
+constexpr float min_contrast = 15;
+// Standard deviation of an edge, pixels: at best, and of what noise adds where inks differ by one level.
+constexpr double best_sigma = 0.06, noise_sigma = 6;
+constexpr double outline_sigma = 0.12;
+// Places beside one cell.
+constexpr int max_outlines = 8;
+constexpr float min_outline_contrast = 40;
+
+// The step and its derivative at the samples, in units of the reach.
+struct Step {
+  std::array<float, steps> at{}, height{}, weight{};
+  Step() {
+    double square = 0;
+    std::array<double, steps> slope{};
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double x = 2.0 * (static_cast<double>(i) + 0.5) / steps - 1, z = x / step_blur;
+      at[i] = static_cast<float>(x);
+      height[i] = static_cast<float>(0.5 * std::erfc(-z * std::numbers::sqrt2 / 2));
+      slope[i] = std::exp(-0.5 * z * z) / (step_blur * std::sqrt(2 * std::numbers::pi));
+      square += slope[i] * slope[i];
+    }
+    for (std::size_t i = 0; i < steps; ++i) weight[i] = static_cast<float>(-slope[i] / square);
+  }
+};
+
+// Linear light from levels, near enough for shares of a difference: a gamma of 2. What is left moves the edges between
+// two inks all alike, and is fitted as their growth.
+Color linear(const Color& coded) {
+  return coded * coded;
+}
+
+// Colour differences as they tell where an edge is: cameras that compress keep the brightness at every pixel and the
+// colour at every other one. In terms of Y, Cb, Cr (BT.601) brightness counts three times.
+Color weighted(const Color& d) {
+  constexpr float brightness = 3;
+  const Color y_of(0.299F, 0.587F, 0.114F);
+  const float y = (y_of * d).sum(), cb = 0.564F * 0.564F * (d[2] - y), cr = 0.713F * 0.713F * (d[0] - y);
+  return Color(cr, 0, cb) + (brightness * y - cr - cb) * y_of;
+}
+
+class LineMeter {
+ public:
+  LineMeter(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& motion,
+            const LineOptions& options, LineSet& set)
+      : image_(view.image),
+        k_(view.intrinsics),
+        clock_(view.clock),
+        rod_(rod),
+        inks_(inks),
+        motion_(motion),
+        options_(options),
+        set_(set),
+        eye_(-motion.pose.R.transpose() * motion.pose.t) {}
+
+  void run() {
+    for (int e = 1; e < rod_.cell_count(); ++e) ring(e);
+    for (int c = 0; c < rod_.cell_count(); ++c) outlines(c);
+  }
+
+ private:
+  // A cross-section of the rod in camera axes, where the eye is the origin.
+  struct Ring {
+    Vec3d centre, tangent, cut, front, side;
+    double along;  // Of the tangent along the cut's normal.
+  };
+
+  Ring place(const RodModel::Section& s) const {
+    Ring r;
+    r.centre = motion_.pose * s.centre;
+    r.tangent = motion_.pose.R * s.tangent;
+    r.cut = motion_.pose.R * s.cut;
+    r.front = -r.centre + r.tangent * r.centre.dot(r.tangent);
+    const double length = r.front.norm();
+    r.front = length > 1e-9 ? Vec3d(r.front / length) : r.tangent.unitOrthogonal();
+    r.side = r.tangent.cross(r.front);
+    r.along = r.tangent.dot(r.cut);
+    return r;
+  }
+
+  Vec3d out_of(const Ring& r, double sine, double cosine) const { return cosine * r.front + sine * r.side; }
+
+  Vec3d surface(const Ring& r, const Vec3d& out) const {
+    return r.centre + rod_.radius() * (out - (out.dot(r.cut) / r.along) * r.tangent);
+  }
+
+  // The middle of a cell on one of its generator lines, between the planes that cut it: at a mitre they lean.
+  Vec3d middle_of(int cell, const Ring& r, double sine, double cosine) const {
+    const Vec3d x = r.centre + rod_.radius() * out_of(r, sine, cosine);
+    double along = 0;
+    for (const int e : {cell, cell + 1}) {
+      const Vec3d cut = motion_.pose.R * rod_.edge(e).cut;
+      along += 0.5 * (motion_.pose * rod_.edge(e).centre - x).dot(cut) / r.tangent.dot(cut);
+    }
+    return x + along * r.tangent;
+  }
+
+  bool pixel_of(const Vec3d& point, Vec2d& pixel) const {
+    return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
+  }
+
+  Vec3d in_marker(const Vec3d& point) const { return motion_.pose.R.transpose() * (point - motion_.pose.t); }
+
+  void ring(int e) {
+    const RodModel::Section& section = rod_.edge(e);
+    // Lines of the two sides of a mitre do not meet.
+    if (rod_.middle(e - 1).tangent.dot(rod_.middle(e).tangent) < 0.5) return;
+    const Ring here = place(section), before = place(rod_.middle(e - 1)), after = place(rod_.middle(e));
+    if (here.centre.z() < 10) return;
+    const double radius = k_.fx * rod_.radius() / here.centre.z();
+    const double widest = std::min(0.95, 1 - rim / radius);
+    if (widest < 0.2) return;
+    const int lines = std::clamp(static_cast<int>(2 * widest * radius / options_.spacing),
+                                 std::min(3, options_.max_lines), options_.max_lines);
+    for (int i = 0; i < lines; ++i)
+      line(e, section, here, before, after, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0);
+  }
+
+  void line(int e, const RodModel::Section& section, const Ring& here, const Ring& before, const Ring& after,
+            double sine) {
+    const double cosine = std::sqrt(1 - sine * sine);
+    const Vec3d out = out_of(here, sine, cosine), x = surface(here, out);
+    if (-out.dot(x) < min_facing * x.norm()) return;
+    const Vec3d a = middle_of(e - 1, before, sine, cosine), b = middle_of(e, after, sine, cosine);
+    Vec2d px, pa, pb;
+    if (!pixel_of(x, px) || !pixel_of(a, pa) || !pixel_of(b, pb)) return;
+    const double back = (pa - px).norm(), on = (pb - px).norm(), cell = std::min(back, on);
+    if (cell < min_reach || rod_.hides_itself(section, in_marker(x), eye_)) return;
+    ++set_.expected;
+    ++set_.expected_at[static_cast<std::size_t>(e)];
+    const Color ca = plateau(px, pa), cb = plateau(px, pb);
+    if (inks_.match(ca, rod_.ink(e - 1)) != Inks::Match::agrees || inks_.match(cb, rod_.ink(e)) != Inks::Match::agrees)
+      return;
+    const float contrast = (cb - ca).matrix().norm();
+    if (contrast < min_contrast) return;
+    ++set_.shown;
+    const double reach = std::min(options_.reach, 0.9 * cell);
+    const Vec2d to_a = (pa - px) / back, to_b = (pb - px) / on;
+    if (!image_.contains(px.x() + reach * to_a.x(), px.y() + reach * to_a.y())) return;
+    if (!image_.contains(px.x() + reach * to_b.x(), px.y() + reach * to_b.y())) return;
+    const Color la = linear(ca);
+    const double along = step_offset(px, to_a, to_b, reach, la, linear(cb) - la);
+    if (std::abs(along) > reach) return;
+    const Vec3d turn = here.tangent.cross(out) * rod_.radius();
+    const Vec3d rim_step = turn - (turn.dot(here.cut) / here.along) * here.tangent;
+    add(x, px, rim_step, (pb - pa).normalized(), along,
+        std::hypot(best_sigma, noise_sigma / static_cast<double>(contrast)), e,
+        growth_of(rod_.ink(e - 1), rod_.ink(e)));
+  }
+
+  // Which of two inks grows at the cost of the other: the pairs RG, GB, BR count along the rod, the others against it.
+  static std::pair<int, double> growth_of(int a, int b) {
+    return (b - a + 3) % 3 == 1 ? std::pair(a, 1.0) : std::pair(b, -1.0);
+  }
+
+  // The colour of a cell on a line, its middle at m, away from the edge at x.
+  Color plateau(const Vec2d& x, const Vec2d& m) const {
+    const Vec2d step = 0.2 * (m - x);
+    const Vec2d p = m - step, q = m + step;
+    if (!image_.contains(q.x(), q.y())) return image_.sample(m.x(), m.y());
+    return (image_.sample(p.x(), p.y()) + image_.sample(m.x(), m.y()) + image_.sample(q.x(), q.y())) / 3;
+  }
+
+  // How far along the line past px the colour, in linear light, steps by a difference from what it is at a; beyond the
+  // reach where it does not.
+  double step_offset(const Vec2d& px, const Vec2d& to_a, const Vec2d& to_b, double reach, const Color& at_a,
+                     const Color& difference) const {
+    static const Step step;
+    const Color d = weighted(difference) / (weighted(difference) * difference).sum();
+    float sum = 0, first = 0, last = 0;
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double s = static_cast<double>(step.at[i]) * reach;
+      const Vec2d p = s < 0 ? Vec2d(px - s * to_a) : Vec2d(px + s * to_b);
+      const float value = ((linear(image_.sample(p.x(), p.y())) - at_a) * d).sum();
+      sum += step.weight[i] * (value - step.height[i]);
+      if (i == 0) first = value;
+      last = value;
+    }
+    // Blur wider than the reach moves an edge as its neighbours will.
+    if (last - first < min_rise) return 2 * reach;
+    return static_cast<double>(sum) * reach;
+  }
+
+  // An edge whose direction at a point is that of `tangent`, both in camera axes, was found `along` a direction.
+  void add(const Vec3d& x, const Vec2d& px, const Vec3d& tangent, const Vec2d& direction, double along, double sigma,
+           int cell, std::pair<int, double> growth) {
+    Vec2d pixel;
+    Eigen::Matrix<double, 2, 3> by_point;
+    if (!project(k_, x, pixel, by_point)) return;
+    const Vec2d edge = by_point * tangent;
+    const double length = edge.norm();
+    if (length < 1e-9) return;
+    Vec2d normal(-edge.y() / length, edge.x() / length);
+    const double across = direction.dot(normal);
+    if (std::abs(across) < 0.3) return;
+    const Vec3d gradient = (normal.transpose() * by_point).transpose();
+    set_.lines.push_back({x - motion_.pose.t, gradient, clock_.at(px.y()), along * across, sigma, cell, growth.first,
+                          growth.second * across});
+  }
+
+  void outlines(int c) {
+    const RodModel::Section& section = rod_.middle(c);
+    const Ring here = place(section);
+    const double away = here.centre.cross(here.tangent).norm();
+    // Within about 25 degrees of the axis the outline is the tip's or the neighbour's.
+    if (here.centre.z() < 10 || away < 0.42 * here.centre.norm()) return;
+    const double cosine = std::min(1.0, rod_.radius() / away), sine = std::sqrt(1 - cosine * cosine);
+    const double pixels = k_.fx * rod_.pitch() * away / here.centre.squaredNorm();
+    const int count =
+        rod_.arm_of(c) < 0 ? 1 : std::clamp(static_cast<int>(pixels / options_.outline_spacing), 1, max_outlines);
+    for (int i = 0; i < count; ++i) {
+      const double along = rod_.pitch() * ((i + 0.5) / count - 0.5);
+      for (const double side : {-sine, sine}) outline(c, section, here, along, side, cosine);
+    }
+  }
+
+  void outline(int c, const RodModel::Section& section, const Ring& here, double shift, double sine, double cosine) {
+    const Vec3d centre = here.centre + shift * here.tangent;
+    const Vec3d x = surface(here, out_of(here, sine, cosine)) + shift * here.tangent;
+    Vec2d px, pc, pt;
+    if (!pixel_of(x, px) || !pixel_of(centre, pc) || !pixel_of(x + here.tangent, pt)) return;
+    const Vec2d edge = (pt - px).normalized();
+    Vec2d normal(-edge.y(), edge.x());
+    if (normal.dot(px - pc) < 0) normal = -normal;
+    const double radius = normal.dot(px - pc);
+    if (radius < 1.5 || rod_.hides_itself(section, in_marker(x), eye_)) return;
+    const double reach = std::min(std::max(0.4 * radius, 1.2), options_.reach);
+    const Vec2d inside = px - reach * normal, outside = px + reach * normal;
+    if (!image_.contains(outside.x(), outside.y()) || !image_.contains(inside.x(), inside.y())) return;
+    const Color ca = image_.sample(inside.x(), inside.y()), cb = image_.sample(outside.x(), outside.y());
+    if (inks_.match(ca, rod_.ink(c)) != Inks::Match::agrees || (cb - ca).matrix().norm() < min_outline_contrast) return;
+    // What is behind the rod tells by what the ink does not have of it, as the ink darkens towards the outline.
+    const Color ink = linear(ca), behind = linear(cb), heavy = weighted(ink);
+    const Color other = behind - ink * ((behind * heavy).sum() / (ink * heavy).sum());
+    if (other.matrix().norm() < 0.1F * ink.matrix().norm()) return;
+    const double along = step_offset(px, -normal, normal, reach, ink, other);
+    if (std::abs(along) < reach) add(x, px, here.tangent, normal, along, outline_sigma, c, {outline_growth, 1});
+  }
+
+  const ImageView& image_;
+  const Intrinsics& k_;
+  const RowClock& clock_;
+  const RodModel& rod_;
+  const Inks& inks_;
+  const Motion& motion_;
+  const LineOptions& options_;
+  LineSet& set_;
+  Vec3d eye_;  // Marker frame.
+};
+
+}  // namespace
+
+void measure_lines(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& motion,
+                   const LineOptions& options, LineSet& set) {
+  set.lines.clear();
+  set.expected = set.shown = 0;
+  set.expected_at.fill(0);
+  LineMeter(view, rod, inks, motion, options, set).run();
+}
+
+}  // namespace onestroke
