@@ -1,6 +1,7 @@
 #include "tracking/decode.h"
 
 #include <algorithm>
+#include <array>
 
 namespace onestroke {
 namespace {
@@ -40,7 +41,86 @@ bool outdone(const Reading& r, const std::vector<Reading>& better) {
   });
 }
 
+std::vector<Reading> best_of(std::vector<Reading> readings) {
+  std::stable_sort(readings.begin(), readings.end(),
+                   [](const Reading& a, const Reading& b) { return a.score() > b.score(); });
+  std::vector<Reading> kept;
+  for (const Reading& r : readings)
+    if (!outdone(r, kept)) kept.push_back(r);
+  return kept;
+}
+
 }  // namespace
+
+CodeWindows::CodeWindows(const Catalog& catalog) {
+  std::size_t keys = 1;
+  for (int i = 0; i < length; ++i) keys *= 3;
+  places_.resize(keys);
+  for (std::size_t m = 0; m < catalog.markers.size(); ++m) {
+    const Cells& code = catalog.markers[m].cells;
+    const int n = static_cast<int>(code.size());
+    for (const int direction : {1, -1})
+      for (int first = direction > 0 ? 0 : n - 1; direction > 0 ? first + length <= n : first - length >= -1;
+           first += direction) {
+        std::size_t key = 0;
+        for (int i = 0; i < length; ++i)
+          key = 3 * key + static_cast<std::size_t>(code[static_cast<std::size_t>(first + direction * i)]);
+        places_[key].push_back({static_cast<int>(m), first, direction});
+      }
+  }
+}
+
+void CodeWindows::align(const std::vector<Cell>& cells, const Chain& chain, std::vector<Reading>& alignments) const {
+  alignments.clear();
+  for (std::size_t i = 0; i < chain.links.size(); ++i) {
+    const int begin = chain.links[i].position;
+    if (begin + length > chain.length()) return;
+    // By inks; -1 for a cell that is not seen.
+    std::array<int, length> run;
+    run.fill(-1);
+    for (std::size_t k = i; k < chain.links.size() && chain.links[k].position < begin + length; ++k)
+      run[static_cast<std::size_t>(chain.links[k].position - begin)] =
+          cells[static_cast<std::size_t>(chain.links[k].cell)].ink;
+    if (std::count(run.begin(), run.end(), -1) <= max_unseen) align_run(run, 0, 0, begin, alignments);
+  }
+}
+
+// Tries every ink for cells that are not seen.
+void CodeWindows::align_run(const std::array<int, length>& run, std::size_t done, std::size_t key, int begin,
+                            std::vector<Reading>& alignments) const {
+  if (done == run.size()) {
+    for (const Place& p : places_[key]) add(p, begin, alignments);
+    return;
+  }
+  for (int ink = 0; ink < 3; ++ink)
+    if (run[done] < 0 || run[done] == ink)
+      align_run(run, done + 1, 3 * key + static_cast<std::size_t>(ink), begin, alignments);
+}
+
+void CodeWindows::add(const Place& p, int begin, std::vector<Reading>& alignments) {
+  Reading r;
+  r.marker = p.marker;
+  r.direction = p.direction;
+  r.first = p.first - p.direction * begin;
+  const bool known = std::any_of(alignments.begin(), alignments.end(), [&](const Reading& a) {
+    return a.marker == r.marker && a.direction == r.direction && a.first == r.first;
+  });
+  if (!known) alignments.push_back(r);
+}
+
+std::vector<Reading> read_chains(const Catalog& catalog, const CodeWindows& windows, const std::vector<Cell>& cells,
+                                 const std::vector<Chain>& chains) {
+  std::vector<Reading> readings, alignments;
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    windows.align(cells, chains[c], alignments);
+    for (Reading& a : alignments) {
+      a.chain = static_cast<int>(c);
+      const Reading r = best_stretch(catalog.markers[static_cast<std::size_t>(a.marker)].cells, cells, chains[c], a);
+      if (r.score() >= min_score) readings.push_back(r);
+    }
+  }
+  return best_of(std::move(readings));
+}
 
 std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>& cells,
                                  const std::vector<Chain>& chains) {
@@ -62,12 +142,7 @@ std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>
         }
     }
   }
-  std::stable_sort(readings.begin(), readings.end(),
-                   [](const Reading& a, const Reading& b) { return a.score() > b.score(); });
-  std::vector<Reading> kept;
-  for (const Reading& r : readings)
-    if (!outdone(r, kept)) kept.push_back(r);
-  return kept;
+  return best_of(std::move(readings));
 }
 
 }  // namespace onestroke

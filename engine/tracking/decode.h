@@ -4,6 +4,7 @@
 #include "tracking/cells.h"
 #include "tracking/chains.h"
 
+#include <array>
 #include <vector>
 
 namespace onestroke {
@@ -22,10 +23,35 @@ struct Reading {
   int score() const { return agree - 3 * contradict; }
 };
 
+/// Where each short run of cells occurs in a catalogue's codes, read in either direction: what makes reading quick
+/// where cells are seen clearly.
+class CodeWindows {
+ public:
+  explicit CodeWindows(const Catalog& catalog);
+
+  /// The alignments of a chain (Reading with nothing but marker, first and direction) under which one of its runs of
+  /// six cells agrees, two of them unseen at most; each once.
+  void align(const std::vector<Cell>& cells, const Chain& chain, std::vector<Reading>& alignments) const;
+
+ private:
+  static constexpr int length = 6, max_unseen = 2;
+  struct Place {
+    int marker, first, direction;
+  };
+  void align_run(const std::array<int, length>& run, std::size_t done, std::size_t key, int begin,
+                 std::vector<Reading>& alignments) const;
+  static void add(const Place& place, int begin, std::vector<Reading>& alignments);
+
+  std::vector<std::vector<Place>> places_;  // By the run's inks as a number to the base of 3.
+};
+
 /// The readings of every chain, best first. A chain may be cut at both ends, may run past a tip or round a corner and
 /// may miscount a gap, so each alignment of each code counts with its best stretch: the run of links that agree, where
 /// one that contradicts costs three. A reading that another clearly outdoes on the same links is left out.
 std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>& cells,
+                                 const std::vector<Chain>& chains);
+/// The same of such alignments only as CodeWindows finds.
+std::vector<Reading> read_chains(const Catalog& catalog, const CodeWindows& windows, const std::vector<Cell>& cells,
                                  const std::vector<Chain>& chains);
 
 }  // namespace onestroke

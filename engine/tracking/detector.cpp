@@ -21,36 +21,6 @@ constexpr std::array<SegmentationOptions, 3> sharp_segmentations{{{1.0F}, {1.6F}
 // Defocus mixes the inks; smoothed, the little that they differ by still stands out of the noise.
 constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
 constexpr float min_ink_separation = 0.02F;
-constexpr int min_agreeing = 9;
-
-// As far as a hand may have brought the marker off its prediction, along the middle of the rod; then to the edges.
-constexpr std::array<LineOptions, 2> following_passes{{{10, 1000, 1, 1000}, {4, 8, 3, 16}}};
-constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
-constexpr int max_settlings = 3;
-constexpr double settled_share = 0.68;
-
-// The edges of the cells in sight are where they should be: a pose that fits one arm only has cells that agree, but not
-// their edges.
-bool settled(const Detection& d) {
-  const double seen = static_cast<double>(d.appearance.agrees) / std::max(1, d.appearance.in_sight);
-  return d.refinement.supported > settled_share * seen * d.refinement.expected;
-}
-
-// What a line fit found, as refine() counts it: five lines an edge.
-Refinement refinement_of(const LineFit& fit) {
-  constexpr int lines = 5;
-  Refinement r;
-  r.pose = fit.motion.pose;
-  r.covariance = fit.pose_covariance();
-  r.expected = lines * fit.edges;
-  for (std::size_t c = 0; c < r.support.size(); ++c) {
-    r.support[c] = lines * fit.support[c];
-    r.supported += static_cast<double>(r.support[c]);
-  }
-  r.rms = fit.rms;
-  r.valid = fit.valid;
-  return r;
-}
 
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
@@ -115,35 +85,7 @@ bool settled(const Proposal& single, const std::vector<Detection>& proven) {
   return false;
 }
 
-// Ring edges supported on the straight arm that has second most.
-double second_arm_support(const RodModel& rod, const Refinement& r) {
-  double best = 0, second = 0, sum = 0;
-  for (int c = 0, arm = -1; c <= rod.cell_count(); ++c) {
-    const int next = c < rod.cell_count() ? rod.arm_of(c) : -1;
-    if (next != arm) {
-      if (sum > best) std::swap(sum, best);
-      second = std::max(second, sum);
-      sum = 0;
-      arm = next;
-    }
-    if (arm >= 0) sum += static_cast<double>(r.support[static_cast<std::size_t>(c)]);
-  }
-  return second;
-}
-
 }  // namespace
-
-bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
-  if (!r.valid || a.agrees < min_agreeing || a.evidence() < 8 || 16 * a.contradicts > a.agrees) return false;
-  // One arm alone leaves the roll about it to chance. On a wrong arm some cells agree by chance, but no ring edges
-  // show.
-  const bool both = a.fewest_on_arm >= 3 && second_arm_support(rod, r) >= 7;
-  if (rod.has_roll() && !both) return false;
-  // Two fingers cover half an arm; where less agrees, the pose is right for one arm only. Edges found loosely
-  // prove less.
-  if (a.weakest_share < (r.rms < 0.6 ? 0.25 : 0.42)) return false;
-  return r.supported > 2.0 * a.agrees && r.supported > 0.36 * r.expected && r.rms < 1.25;
-}
 
 Detector::Detector(const Catalog& catalog, const Search& search) : catalog_(catalog), search_(search) {
   for (const MarkerSpec& m : catalog.markers) rods_.emplace_back(m);
@@ -205,27 +147,6 @@ bool Detector::prove(const Levels& levels, const Intrinsics& intrinsics, int mar
   }
   d.appearance = assess(image, intrinsics, rod, d.inks, d.refinement.pose);
   if (!believable(rod, d.refinement, d.appearance)) return false;
-  detection = std::move(d);
-  return true;
-}
-
-bool Detector::follow(const TimedView& view, int marker, const Motion& predicted, const VelocityPrior& prior,
-                      const Inks& inks, Detection& detection) {
-  const RodModel& rod = rods_[static_cast<std::size_t>(marker)];
-  LineFit fit = fitter_.fit(view, rod, inks, predicted, prior, following_passes);
-  Detection d{marker, {}, {}, inks};
-  for (int again = 0; fit.valid; ++again) {
-    d.refinement = refinement_of(fit);
-    d.appearance = assess(view.image, view.intrinsics, rod, inks, fit.motion.pose);
-    if (settled(d)) break;
-    if (again == max_settlings) return false;
-    fit = fitter_.fit(view, rod, inks, fit.motion, prior, settling_passes);
-  }
-  if (!believable(rod, d.refinement, d.appearance)) return false;
-  d.moving = view.clock.rolls();
-  d.angular = fit.motion.angular;
-  d.linear = fit.motion.linear;
-  d.velocity_covariance = fit.covariance.bottomRightCorner<6, 6>();
   detection = std::move(d);
   return true;
 }

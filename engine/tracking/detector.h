@@ -3,6 +3,7 @@
 #include "marker/catalog.h"
 #include "tracking/detection.h"
 #include "tracking/levels.h"
+#include "tracking/line_proof.h"
 #include "tracking/proposals.h"
 #include "tracking/roll_search.h"
 #include "tracking/segmentation.h"
@@ -13,10 +14,6 @@
 namespace onestroke {
 
 class WholeLook;
-
-/// Whether a refined pose is believed: enough cells of the right inks, few of a wrong one, both arms seen, ring edges
-/// where they should be.
-bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
 
 /// How far a search from cold goes where a marker does not come out at once.
 struct Search {
@@ -48,11 +45,7 @@ class Detector {
   bool prove(const Levels& levels, const Intrinsics& intrinsics, int marker, const EigenPose& start, const Inks& inks,
              Detection& detection) const;
 
-  /// Finds a marker near where it is predicted, at a small part of the cost; false where its ring edges do not show
-  /// there. The velocity is that of Motion.
-  bool follow(const TimedView& view, int marker, const Motion& predicted, const VelocityPrior& prior, const Inks& inks,
-              Detection& detection);
-
+  const std::vector<RodModel>& rods() const { return rods_; }
   const RodModel& rod(int marker) const { return rods_[static_cast<std::size_t>(marker)]; }
   std::size_t marker_count() const { return rods_.size(); }
 
@@ -74,7 +67,6 @@ class Detector {
   Search search_;
   std::vector<RodModel> rods_;
   Sharpener sharpener_;
-  LineFitter fitter_;
   CellFinder cell_finder_;
   ChainFinder chain_finder_;
   std::vector<std::uint8_t> labels_;

@@ -122,7 +122,9 @@ class LineMeter {
     return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
   }
 
-  Vec3d in_marker(const Vec3d& point) const { return motion_.pose.R.transpose() * (point - motion_.pose.t); }
+  bool hidden(const RodModel::Section& section, const Vec3d& x) const {
+    return !whole_ && rod_.hides_itself(section, motion_.pose.R.transpose() * (x - motion_.pose.t), eye_);
+  }
 
   void ring(int e) {
     const RodModel::Section& section = rod_.edge(e);
@@ -133,6 +135,7 @@ class LineMeter {
     const double radius = k_.fx * rod_.radius() / here.centre.z();
     const double widest = std::min(0.95, 1 - rim / radius);
     if (widest < 0.2) return;
+    whole_ = rod_.shows_whole(section, eye_);
     const int lines = std::clamp(static_cast<int>(2 * widest * radius / options_.spacing),
                                  std::min(3, options_.max_lines), options_.max_lines);
     for (int i = 0; i < lines; ++i)
@@ -148,7 +151,7 @@ class LineMeter {
     Vec2d px, pa, pb;
     if (!pixel_of(x, px) || !pixel_of(a, pa) || !pixel_of(b, pb)) return;
     const double back = (pa - px).norm(), on = (pb - px).norm(), cell = std::min(back, on);
-    if (cell < min_reach || rod_.hides_itself(section, in_marker(x), eye_)) return;
+    if (cell < min_reach || hidden(section, x)) return;
     ++set_.expected;
     ++set_.expected_at[static_cast<std::size_t>(e)];
     const Color ca = plateau(px, pa), cb = plateau(px, pb);
@@ -227,6 +230,7 @@ class LineMeter {
     const double away = here.centre.cross(here.tangent).norm();
     // Within about 25 degrees of the axis the outline is the tip's or the neighbour's.
     if (here.centre.z() < 10 || away < 0.42 * here.centre.norm()) return;
+    whole_ = rod_.shows_whole(section, eye_);
     const double cosine = std::min(1.0, rod_.radius() / away), sine = std::sqrt(1 - cosine * cosine);
     const double pixels = k_.fx * rod_.pitch() * away / here.centre.squaredNorm();
     const int count =
@@ -246,7 +250,7 @@ class LineMeter {
     Vec2d normal(-edge.y(), edge.x());
     if (normal.dot(px - pc) < 0) normal = -normal;
     const double radius = normal.dot(px - pc);
-    if (radius < 1.5 || rod_.hides_itself(section, in_marker(x), eye_)) return;
+    if (radius < 1.5 || hidden(section, x)) return;
     const double reach = std::min(std::max(0.4 * radius, 1.2), options_.reach);
     const Vec2d inside = px - reach * normal, outside = px + reach * normal;
     if (!image_.contains(outside.x(), outside.y()) || !image_.contains(inside.x(), inside.y())) return;
@@ -268,7 +272,8 @@ class LineMeter {
   const Motion& motion_;
   const LineOptions& options_;
   LineSet& set_;
-  Vec3d eye_;  // Marker frame.
+  Vec3d eye_;           // Marker frame.
+  bool whole_ = false;  // The section at hand hides nowhere behind the rod itself.
 };
 
 }  // namespace

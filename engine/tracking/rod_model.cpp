@@ -93,7 +93,8 @@ double segment_distance(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
 
 }  // namespace
 
-bool RodModel::hides_itself(const Section& section, const Vec3d& point, const Vec3d& eye) const {
+// The rod passes nearer than `reach` to the line of sight.
+bool RodModel::hides_within(const Section& section, const Vec3d& point, const Vec3d& eye, double reach) const {
   const Vec3d towards = (eye - point).normalized();
   const Vec3d far = point + 4 * bounding_radius_ * towards;
   for (const Chord& c : chords_) {
@@ -110,7 +111,7 @@ bool RodModel::hides_itself(const Section& section, const Vec3d& point, const Ve
         a = a + (b - a) * ((section.s + margin - s0) / (s1 - s0));
       }
     }
-    if (segment_distance(point + 0.5 * towards, far, a, b) < 0.95 * radius_) return true;
+    if (segment_distance(point + 0.5 * towards, far, a, b) < reach) return true;
   }
   return false;
 }

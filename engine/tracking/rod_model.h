@@ -50,9 +50,16 @@ class RodModel {
   /// The surface point of a section at the angle phi about the rod from the side that faces the eye; and its normal.
   Vec3d surface(const Section& section, const Vec3d& eye, double phi, Vec3d* normal = nullptr) const;
   /// The rod itself stands between the surface point of a section and the eye.
-  bool hides_itself(const Section& section, const Vec3d& point, const Vec3d& eye) const;
+  bool hides_itself(const Section& section, const Vec3d& point, const Vec3d& eye) const {
+    return hides_within(section, point, eye, 0.95 * radius_);
+  }
+  /// No point of a section's rim is hidden by the rod itself: one test for all of them.
+  bool shows_whole(const Section& section, const Vec3d& eye) const {
+    return !hides_within(section, section.centre, eye, 2.1 * radius_);
+  }
 
  private:
+  bool hides_within(const Section& section, const Vec3d& point, const Vec3d& eye, double reach) const;
   void find_arms(const std::vector<Shape::Piece>& pieces);
 
   double radius_, pitch_;

@@ -25,6 +25,10 @@ struct SegmentationOptions {
 /// leaves shading out. labels is resized to width * height.
 void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels);
 
+/// The same by the default options, one pixel of each square of `factor` by `factor`, and channels in steps of 8
+/// levels: for a first look. labels is resized to (width / factor) * (height / factor).
+void segment_coarsely(const ImageView& image, int factor, std::vector<std::uint8_t>& labels);
+
 /// Gaussian smoothing of packed RGB (sigma in pixels), against sensor noise. out has stride 3 * width.
 void smooth(const ImageView& image, double sigma, std::vector<std::uint8_t>& out);
 

@@ -2,6 +2,7 @@
 
 #include "tracking/detector.h"
 #include "tracking/follower.h"
+#include "tracking/quick_search.h"
 #include "tracking/rgb_image.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ class Tracker::Impl {
       : catalog_(std::move(catalog)),
         options_(options),
         detector_(catalog_, options.independent ? Search::thorough() : Search{}),
+        quick_(catalog_, detector_.rods()),
         followers_(catalog_.markers.size()) {}
 
   void process(const Picture& picture, FrameRecord& record) {
@@ -45,10 +47,7 @@ class Tracker::Impl {
     const TimedView view{rgb_view(picture, rgb_), picture.intrinsics, {picture.exposure, picture.height}};
     levels_made_ = false;
     if (!options_.independent) follow(picture, view);
-    if (search_due()) {
-      detector_.detect(view, levels(view), found_, detections_);
-      for (const Detection& d : detections_) take(picture, d);
-    }
+    search(picture, view);
     report(picture, record);
     record.cost = Time::now() - begin;
   }
@@ -58,8 +57,7 @@ class Tracker::Impl {
  private:
   void start(const Picture& picture, FrameRecord& record) {
     time_ = picture.exposure.middle();
-    if (options_.independent || time_ < last_time_)
-      for (Follower& f : followers_) f.forget();
+    if (options_.independent || time_ < last_time_) forget();
     last_time_ = time_;
     record.sequence = picture.sequence;
     record.time = time_;
@@ -67,6 +65,11 @@ class Tracker::Impl {
     record.marker_count = 0;
     found_.assign(followers_.size(), false);
     measured_.clear();
+  }
+
+  void forget() {
+    for (Follower& f : followers_) f.forget();
+    since_thorough_ = options_.miss_thoroughly_every;
   }
 
   // A pose that no hand could have brought about is a mistake, however well it fits: what is followed goes on as
@@ -99,23 +102,43 @@ class Tracker::Impl {
                          to_eigen(velocity.linear)};
       const int marker = static_cast<int>(m);
       Detection d;
-      if (detector_.follow(view, marker, start, f.velocity_prior(time_), f.inks(), d) ||
+      if (lines_.prove(view, marker, detector_.rod(marker), start, f.velocity_prior(time_), f.inks(), d) ||
           detector_.prove(levels(view), picture.intrinsics, marker, start.pose, f.inks(), d))
         take(picture, d);
     }
   }
 
-  // From cold when nothing is known, when a marker in hand was missed, and now and then for newcomers.
-  bool search_due() {
-    const bool missed = std::any_of(followers_.begin(), followers_.end(), [&](const Follower& f) {
+  // For all when nothing is known, for a marker in hand that was missed, and now and then for newcomers.
+  void search(const Picture& picture, const TimedView& view) {
+    if (options_.independent) {
+      search_thoroughly(picture, view);
+      return;
+    }
+    ++since_search_;
+    ++since_thorough_;
+    const bool missing = measured_.empty() || missed();
+    if (!missing && since_search_ < options_.search_every) return;
+    since_search_ = 0;
+    detections_.clear();
+    const bool more = quick_.find(view, found_, measured_, detections_);
+    for (const Detection& d : detections_) take(picture, d);
+    const bool still_missing = measured_.empty() || missed();
+    if (!still_missing && !more) return;
+    if (since_thorough_ < (still_missing ? options_.miss_thoroughly_every : options_.search_thoroughly_every)) return;
+    search_thoroughly(picture, view);
+    since_thorough_ = 0;
+  }
+
+  void search_thoroughly(const Picture& picture, const TimedView& view) {
+    detector_.detect(view, levels(view), found_, detections_);
+    for (const Detection& d : detections_) take(picture, d);
+  }
+
+  // A marker that was seen is not found in this picture.
+  bool missed() const {
+    return std::any_of(followers_.begin(), followers_.end(), [&](const Follower& f) {
       return f.ever_seen() && !found_[static_cast<std::size_t>(&f - followers_.data())];
     });
-    const bool any = std::any_of(found_.begin(), found_.end(), [](bool b) { return b; });
-    if (options_.independent || missed || !any || ++since_search_ >= options_.search_every) {
-      since_search_ = 0;
-      return true;
-    }
-    return false;
   }
 
   MarkerObservation& add(FrameRecord& record, std::size_t marker) const {
@@ -155,6 +178,8 @@ class Tracker::Impl {
   Catalog catalog_;
   TrackerOptions options_;
   Detector detector_;
+  LineProof lines_;
+  QuickSearch quick_;
   std::vector<Follower> followers_;
   std::vector<bool> found_;
   std::vector<Detection> detections_, measured_;
@@ -163,7 +188,7 @@ class Tracker::Impl {
   Levels smoothed_;
   bool levels_made_ = false;
   Time time_, last_time_;
-  int since_search_ = 0;
+  int since_search_ = 0, since_thorough_ = 1000;
 };
 
 Tracker::Tracker(Catalog catalog, const TrackerOptions& options)

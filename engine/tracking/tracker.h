@@ -14,8 +14,11 @@ struct TrackerOptions {
   /// How long a marker that is not found is carried on at constant velocity (`predicted`), and how long after that it
   /// is still reported, as `lost`.
   Duration predict_for = Duration::from_ms(250), report_lost_for = Duration::from_ms(750);
-  /// A picture is searched as a whole at least this often, in pictures, for markers that come into sight.
-  int search_every = 4;
+  /// While all markers that were seen are followed, a picture is searched as a whole this often, in pictures, for
+  /// others that come into sight; and thoroughly, which takes much longer, this often at most.
+  int search_every = 8, search_thoroughly_every = 32;
+  /// While a marker is missing every picture is searched, and thoroughly this often at most.
+  int miss_thoroughly_every = 4;
 };
 
 /// Picture in, marker poses out. Used by one thread at a time.

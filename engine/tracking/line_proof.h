@@ -1,0 +1,27 @@
+#pragma once
+
+#include "tracking/detection.h"
+#include "tracking/line_fit.h"
+
+namespace onestroke {
+
+/// Cells that must show their ink for a marker to be believed.
+inline constexpr int min_agreeing = 9;
+
+/// Whether a refined pose is believed: enough cells of the right inks, few of a wrong one, both arms seen, ring edges
+/// where they should be.
+bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
+
+/// Finds a marker near where it is expected by a few lines along its rod, at a small part of what a search costs. Used
+/// by one thread at a time.
+class LineProof {
+ public:
+  /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue.
+  bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const VelocityPrior& prior,
+             const Inks& inks, Detection& detection);
+
+ private:
+  LineFitter fitter_;
+};
+
+}  // namespace onestroke
