@@ -16,6 +16,8 @@ constexpr double angular_speed = 12, linear_speed = 1500;
 constexpr double max_gap_s = 0.25;
 constexpr Duration max_prediction = Duration::from_ms(200);
 constexpr double max_acceleration_s = 0.05;
+// Of these, what a prediction is usually off by.
+constexpr double usual = 0.3;
 // A jerk, half as much again as the usual acceleration, and what noise adds to the prediction.
 constexpr double jerk = 1.5, turn_slack = 0.12, shift_slack = 10;
 
@@ -31,8 +33,19 @@ Pose Follower::predict(Time t) const {
   return advance(T_world_marker_, h > 0 ? plus(velocity_, u - u * u / (2 * h), acceleration_) : velocity_, ahead);
 }
 
-bool Follower::plausible(Time t, const Pose& T_world_marker) const {
-  if (phase_ != Phase::followed) return true;
+bool Follower::plausible(Time t, const Pose& T_world_marker) {
+  if (phase_ != Phase::followed || near_prediction(t, T_world_marker)) return true;
+  const double since = (t - doubted_).seconds();
+  const bool again = since > 0 && since < max_gap_s &&
+                     angle_between(T_world_doubted_.rotation, T_world_marker.rotation) < turn_slack &&
+                     norm(T_world_doubted_.translation - T_world_marker.translation) < shift_slack;
+  doubted_ = t;
+  T_world_doubted_ = T_world_marker;
+  if (again) forget();
+  return again;
+}
+
+bool Follower::near_prediction(Time t, const Pose& T_world_marker) const {
   const Pose expected = predict(t);
   const double dt = (t - last_).seconds(), reach = 0.5 * jerk * dt * dt;
   // Until a velocity is known the marker may have been moving all along.
@@ -46,17 +59,14 @@ bool Follower::plausible(Time t, const Pose& T_world_marker) const {
 void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance,
                         const Velocity* velocity) {
   const double dt = (t - last_).seconds();
-  if (velocity) {
-    velocity_ = *velocity;
-    moving_ = true;
-    acceleration_ = {};
-  } else if (phase_ == Phase::followed && dt > 0 && dt < max_gap_s) {
+  if (phase_ == Phase::followed && dt > 0 && dt < max_gap_s) {
     covariance_ = covariance;
     learn_velocity(velocity_between(T_world_marker_, T_world_marker, t - last_), dt);
     moving_ = true;
   } else {
-    velocity_ = acceleration_ = {};
-    moving_ = false;
+    acceleration_ = {};
+    velocity_ = mean_velocity_ = velocity ? *velocity : Velocity{};
+    moving_ = velocity != nullptr;
   }
   phase_ = Phase::followed;
   last_ = t;
@@ -85,8 +95,8 @@ VelocityPrior Follower::velocity_prior(Time t) const {
   VelocityPrior prior;
   if (!moving_) return prior;
   const double dt = (t - last_).seconds();
-  prior.angular = std::min(prior.angular, jerk * angular_acceleration * dt);
-  prior.linear = std::min(prior.linear, jerk * linear_acceleration * dt);
+  prior.angular = std::min(prior.angular, usual * angular_acceleration * dt);
+  prior.linear = std::min(prior.linear, usual * linear_acceleration * dt);
   return prior;
 }
 

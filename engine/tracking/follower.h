@@ -18,9 +18,13 @@ class Follower {
   /// T_world_marker at a time: the acceleration lasts for 50 ms after the last measurement, the velocity for 200 ms, as
   /// a hand that is not seen stops as likely as it goes on.
   Pose predict(Time t) const;
-  /// A hand can have brought the marker from where it was last seen to this pose. True where it is not followed.
-  bool plausible(Time t, const Pose& T_world_marker) const;
-  /// Takes a measurement in. `velocity`: of T_world_marker, where the picture told it, or else nullptr.
+  /// A hand can have brought the marker from where it was last seen to this pose, or to this pose from where it was
+  /// last found to be implausible: twice in one place is no mistake. True where it is not followed.
+  bool plausible(Time t, const Pose& T_world_marker);
+  /// Where it was last measured, T_world_marker.
+  const Pose& last_seen() const { return T_world_marker_; }
+  /// Takes a measurement in. `velocity`: of T_world_marker, where the picture told it well, or else nullptr; it counts
+  /// where no measurement shortly before tells it better.
   void measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance,
                 const Velocity* velocity = nullptr);
   /// The marker was not found at a time: followed becomes lost, and lost becomes unknown.
@@ -37,12 +41,16 @@ class Follower {
   Phase phase_ = Phase::unknown;
   Time last_;
   Pose T_world_marker_;
+  bool near_prediction(Time t, const Pose& T_world_marker) const;
   void learn_velocity(const Velocity& mean, double dt);
 
   // Of T_world_marker, rad/s about world axes and mm/s: at the last measurement, and on average since the one before.
   Velocity velocity_, mean_velocity_;
   Velocity acceleration_;  // rad/s^2, mm/s^2.
   bool moving_ = false;    // velocity_ has been measured.
+  // Where it was found last that was not plausible, and when.
+  Time doubted_;
+  Pose T_world_doubted_;
   Inks inks_;
   std::array<double, 36> covariance_{};
 };

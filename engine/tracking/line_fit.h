@@ -10,9 +10,10 @@ namespace onestroke {
 
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
-/// What is known of a velocity before the picture: its standard deviations, rad/s and mm/s.
+/// What is known of a velocity before the picture: its standard deviations, rad/s and mm/s; by default those of hands
+/// at work.
 struct VelocityPrior {
-  double angular = 12, linear = 1500;
+  double angular = 3, linear = 500;
 };
 
 struct LineFit {

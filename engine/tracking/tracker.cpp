@@ -30,6 +30,14 @@ Velocity in_world(const Detection& d, const Pose& T_world_camera) {
   return {turned(d.angular), turned(d.linear)};
 }
 
+// A velocity that would not mislead the next prediction by more than a standing start would.
+bool tells_velocity(const Detection& d) {
+  constexpr double angular_sigma = 0.7, linear_sigma = 80;
+  const auto variance = d.velocity_covariance.diagonal();
+  return d.moving && variance.head<3>().maxCoeff() < angular_sigma * angular_sigma &&
+         variance.tail<3>().maxCoeff() < linear_sigma * linear_sigma;
+}
+
 }  // namespace
 
 class Tracker::Impl {
@@ -81,7 +89,8 @@ class Tracker::Impl {
     found_[m] = true;
     measured_.push_back(d);
     const Velocity seen = in_world(d, picture.T_world_camera);
-    followers_[m].measured(time_, T_world_marker, d.inks, flatten(d.refinement.covariance), d.moving ? &seen : nullptr);
+    followers_[m].measured(time_, T_world_marker, d.inks, flatten(d.refinement.covariance),
+                           tells_velocity(d) ? &seen : nullptr);
   }
 
   // Smoothing takes longer than following, and is seldom needed then.
@@ -98,12 +107,16 @@ class Tracker::Impl {
       const Follower& f = followers_[m];
       if (f.phase() != Follower::Phase::followed) continue;
       const Velocity velocity = in_camera(f.velocity(), picture.T_world_camera);
-      const Motion start{to_eigen(T_camera_world * f.predict(time_)), to_eigen(velocity.angular),
-                         to_eigen(velocity.linear)};
+      const Motion moving{to_eigen(T_camera_world * f.predict(time_)), to_eigen(velocity.angular),
+                          to_eigen(velocity.linear)};
+      // A hand that stops at once is as likely as one that a bad measurement made seem to move.
+      const Motion still{to_eigen(T_camera_world * f.last_seen())};
       const int marker = static_cast<int>(m);
+      const RodModel& rod = detector_.rod(marker);
       Detection d;
-      if (lines_.prove(view, marker, detector_.rod(marker), start, f.velocity_prior(time_), f.inks(), d) ||
-          detector_.prove(levels(view), picture.intrinsics, marker, start.pose, f.inks(), d))
+      if (lines_.prove(view, marker, rod, moving, f.velocity_prior(time_), f.inks(), d) ||
+          lines_.prove(view, marker, rod, still, {}, f.inks(), d) ||
+          detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d))
         take(picture, d);
     }
   }

@@ -18,7 +18,7 @@ struct TrackerOptions {
   /// others that come into sight; and thoroughly, which takes much longer, this often at most.
   int search_every = 8, search_thoroughly_every = 32;
   /// While a marker is missing every picture is searched, and thoroughly this often at most.
-  int miss_thoroughly_every = 4;
+  int miss_thoroughly_every = 2;
 };
 
 /// Picture in, marker poses out. Used by one thread at a time.
