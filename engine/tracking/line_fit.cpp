@@ -12,7 +12,7 @@ using Growth = Eigen::Matrix<double, growths, 1>;
 
 // Standard deviations of the growths, pixels.
 constexpr double min_common_sigma = 0.02;
-constexpr double ink_growth_sigma = 0.15, outline_growth_sigma = 0.1;
+constexpr double ink_growth_sigma = 0.15, outline_growth_sigma = 0.05;
 
 constexpr int reweightings = 3;
 // Tukey's biweight at 95 % efficiency.
@@ -48,7 +48,7 @@ class Solver {
     mean_.template head<N>() = prior_mean.head<N>();
     information_.template head<N>() = prior_information.head<N>();
     information_.template segment<outline_growth>(N).setConstant(1 / (ink_growth_sigma * ink_growth_sigma));
-    information_[N + outline_growth] = 1 / (outline_growth_sigma * outline_growth_sigma);
+    information_.template tail<growths - outline_growth>().setConstant(1 / (outline_growth_sigma * outline_growth_sigma));
   }
 
   bool solve() {

@@ -9,9 +9,10 @@
 
 namespace onestroke {
 
-/// An ink may take more room in the picture than it has on the rod, as it may be the brighter one, and the rod may look
-/// thicker than it is: pixels by which each of three pairs of inks and the outline is off.
-inline constexpr int growths = 4, outline_growth = 3;
+/// An ink may take more room in the picture than it has on the rod, as it may be the brighter one, and so may the rod:
+/// pixels by which each of three pairs of inks and each side of the outline of the first arm and of the others is off.
+/// A side that runs along the pixels' rows is off alike all along.
+inline constexpr int growths = 7, outline_growth = 3;
 
 /// Where an edge of the rod was found in the picture, against where a motion predicts it.
 struct LineMeasurement {
@@ -24,7 +25,7 @@ struct LineMeasurement {
   int growth;        ///< Which growth moves it too: that of a pair of inks, or the outline's.
   double by_growth;  ///< Derivative of the offset by it.
 
-  bool ring() const { return growth != outline_growth; }
+  bool ring() const { return growth < outline_growth; }
 };
 
 struct LineSet {

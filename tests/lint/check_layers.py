@@ -15,6 +15,7 @@ ARROWS = {
     "engine/core": {"core"},
     "engine/marker": {"core", "marker"},
     "engine/tracking": {"core", "marker", "tracking"},
+    "engine/library": {"core", "marker", "tracking", "library"},
     "engine/scene": {"core", "scene"},
     "engine/render": {"core", "scene", "render", "shaders"},
     "platform/camera": {"core", "marker", "camera"},
@@ -23,6 +24,9 @@ ARROWS = {
     "app": {"core", "marker", "tracking", "scene", "render", "camera", "display", "app"},
 }
 MODULES = set().union(*ARROWS.values())
+
+# Headers that are installed alone: they include nothing but the language's own.
+INSTALLED = {"engine/library/onestroke.h", "engine/library/onestroke_c.h"}
 
 # Where the headers of a large library may appear.
 ROOMS = {
@@ -55,6 +59,8 @@ def faults_of(path, lines):
         module = header.split("/")[0]
         if "/" in header and module in MODULES and module not in ARROWS[folder]:
             yield f"{path}:{number}: {folder} must not include {header}"
+        if path in INSTALLED and ("/" in header or '"' in line):
+            yield f"{path}:{number}: an installed header must not include {header}"
         if header.startswith("../"):
             yield f"{path}:{number}: {header} leaves the folder; include it as <module>/<file>"
         for name, (pattern, rooms) in ROOMS.items():

@@ -53,6 +53,19 @@ class CheckLayers(unittest.TestCase):
         self.expect_fault("engine/scene/a.cpp", "#include <vulkan/vulkan.hpp>\n", "Vulkan does not belong")
         self.expect_fault("engine/render/a.cpp", "#include <GLFW/glfw3.h>\n", "GLFW does not belong")
 
+    def test_the_library_knows_the_tracker_and_nothing_above(self):
+        sound = {"engine/library/a.cpp": '#include "tracking/tracker.h"\n#include "library/onestroke.h"\n'}
+        self.assertEqual(check(sound)[0], 0)
+        self.expect_fault("engine/library/a.cpp", '#include "camera/b.h"\n', "engine/library must not include camera/b.h")
+        self.expect_fault("engine/tracking/a.cpp", '#include "library/b.h"\n', "engine/tracking must not include")
+        self.expect_fault("engine/library/a.cpp", "#include <opencv2/core.hpp>\n", "OpenCV does not belong")
+
+    def test_installed_headers_stand_alone(self):
+        for name in ("engine/library/onestroke.h", "engine/library/onestroke_c.h"):
+            self.assertEqual(check({name: "#include <stdint.h>\n"})[0], 0)
+            self.expect_fault(name, '#include "core/pose.h"\n', "an installed header must not include core/pose.h")
+            self.expect_fault(name, '#include "export.h"\n', "an installed header must not include export.h")
+
     def test_paths_out_of_the_folder_are_faults(self):
         self.expect_fault("engine/core/a.cpp", '#include "../marker/b.h"\n', "leaves the folder")
 
