@@ -1,5 +1,6 @@
 #include "tracking/camera_model.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,18 @@ EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta
 
 void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian) {
   hessian.topLeftCorner<3, 3>() += 10 * hessian.topLeftCorner<3, 3>().trace() * axis * axis.transpose();
+}
+
+Eigen::Matrix<double, 6, 6> covariance_of(const Eigen::Matrix<double, 6, 6>& information) {
+  // Scaled to units of the prior, so that rounding leaves the inverse positive definite.
+  Eigen::Matrix<double, 6, 1> unit;
+  unit << 1, 1, 1, 1000, 1000, 1000;
+  Eigen::Matrix<double, 6, 6> whole = unit.asDiagonal() * information * unit.asDiagonal();
+  whole.diagonal().array() += 1;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> parts(whole);
+  const Eigen::Matrix<double, 6, 1> variances = parts.eigenvalues().cwiseMax(1).cwiseInverse();
+  const Eigen::Matrix<double, 6, 6> v = unit.asDiagonal() * parts.eigenvectors();
+  return v * variances.asDiagonal() * v.transpose();
 }
 
 namespace {

@@ -38,6 +38,10 @@ EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta
 /// it.
 void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian);
 
+/// The covariance of a pose that least squares found, from its information (inverse covariance) in the order of
+/// perturbed(). What the picture does not tell stays as uncertain as a turn of a radian and a shift of a metre.
+Eigen::Matrix<double, 6, 6> covariance_of(const Eigen::Matrix<double, 6, 6>& information);
+
 /// Pixel (centres at half-integers) of a point in camera axes; false behind the camera.
 bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel);
 

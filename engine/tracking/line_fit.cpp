@@ -7,6 +7,7 @@
 namespace onestroke {
 namespace {
 
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Growth = Eigen::Matrix<double, growths, 1>;
 
@@ -48,7 +49,8 @@ class Solver {
     mean_.template head<N>() = prior_mean.head<N>();
     information_.template head<N>() = prior_information.head<N>();
     information_.template segment<outline_growth>(N).setConstant(1 / (ink_growth_sigma * ink_growth_sigma));
-    information_.template tail<growths - outline_growth>().setConstant(1 / (outline_growth_sigma * outline_growth_sigma));
+    information_.template tail<growths - outline_growth>().setConstant(1 /
+                                                                       (outline_growth_sigma * outline_growth_sigma));
   }
 
   bool solve() {
@@ -68,7 +70,26 @@ class Solver {
   /// Sums of the lines' weights, by the cell after the edge.
   const std::array<float, max_cells>& support() const { return support_; }
   double rms() const { return std::sqrt(ring_square_ / std::max(ring_weight_, 1e-9)); }
-  Eigen::Matrix<double, N, N> covariance() const { return hessian_.inverse().template topLeftCorner<N, N>(); }
+  Eigen::Matrix<double, N, N> covariance() const {
+    // Growths and velocity have priors, so that only a pose may be badly determined.
+    constexpr int rest = all - 6;
+    const auto other = hessian_.template bottomRightCorner<rest, rest>().ldlt();
+    const Eigen::Matrix<double, 6, rest> mixed = hessian_.template topRightCorner<6, rest>();
+    const Eigen::Matrix<double, rest, 6> by_pose = other.solve(mixed.transpose());
+    const Matrix6d pose = covariance_of(hessian_.template topLeftCorner<6, 6>() - mixed * by_pose);
+    Eigen::Matrix<double, N, N> whole;
+    whole.template topLeftCorner<6, 6>() = pose;
+    if constexpr (N > 6) {
+      constexpr int more = N - 6;
+      const Eigen::Matrix<double, more, 6> moves = by_pose.template topRows<more>();
+      const Eigen::Matrix<double, rest, rest> own = other.solve(Eigen::Matrix<double, rest, rest>::Identity());
+      whole.template bottomRightCorner<more, more>() =
+          own.template topLeftCorner<more, more>() + moves * pose * moves.transpose();
+      whole.template bottomLeftCorner<more, 6>() = -moves * pose;
+      whole.template topRightCorner<6, more>() = -pose * moves.transpose();
+    }
+    return whole;
+  }
 
  private:
   // The lines of one ring edge, which follow one another, or those of the outline beside one cell.

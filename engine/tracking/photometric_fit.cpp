@@ -229,11 +229,10 @@ class Fitter {
     damped.diagonal() *= 1 + 1e-4;
     step = damped.ldlt().solve(gradient);
     if (!step.allFinite()) return false;
-    Matrix6d information = hessian;
-    information.diagonal() += 1e-9 * hessian.diagonal() + Vector6d::Constant(1e-12);
     // Neighbouring pixels err alike within the blur.
     const double alike = std::max(1.0, 4 * std::numbers::pi * extra_ * extra_);
-    result_.covariance = alike * result_.residual * result_.residual * information.inverse();
+    const double variance = alike * result_.residual * result_.residual;
+    result_.covariance = covariance_of(hessian / std::max(variance, 1e-12));
     return true;
   }
 

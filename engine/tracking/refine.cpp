@@ -95,9 +95,7 @@ Refinement refine(const ImageView& image, const Intrinsics& intrinsics, const Ro
     if (i >= 5 && turn < 1e-5 && shift < 1e-6) break;
   }
   const double excess = sys.weight > 6 ? std::max(1.0, sys.chi2 / (sys.weight - 6)) : 1.0;
-  Matrix6d information = sys.hessian;
-  information.diagonal() += 1e-12 * sys.hessian.diagonal() + Vector6d::Constant(1e-12);
-  result.covariance = excess * information.inverse();
+  result.covariance = covariance_of(sys.hessian / excess);
   result.expected = set.expected_rings;
   result.supported = sys.ring_weight;
   result.support = sys.support;

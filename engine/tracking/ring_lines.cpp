@@ -261,8 +261,9 @@ class LineMeter {
     const Color other = behind - ink * ((behind * heavy).sum() / (ink * heavy).sum());
     if (other.matrix().norm() < 0.1F * ink.matrix().norm()) return;
     const double along = step_offset(px, -normal, normal, reach, ink, other);
-    if (std::abs(along) < reach) add(x, px, here.tangent, normal, along, outline_sigma, c,
-                                    {outline_growth + 2 * std::clamp(rod_.arm_of(c), 0, 1) + (sine > 0 ? 1 : 0), 1});
+    if (std::abs(along) < reach)
+      add(x, px, here.tangent, normal, along, outline_sigma, c,
+          {outline_growth + 2 * std::clamp(rod_.arm_of(c), 0, 1) + (sine > 0 ? 1 : 0), 1});
   }
 
   const ImageView& image_;

@@ -12,7 +12,7 @@ constexpr std::array<LineOptions, 4> passes{{{8}, {5}, {4}, {4}}};
 constexpr double min_pitch = 8;
 // Lines that scatter more, pixels, are of a picture out of focus; and a pose less certain than this, radians, is better
 // left to the whole look.
-constexpr double max_rms = 0.42, max_turn_sigma = 0.0052;
+constexpr double max_rms = 0.42, max_turn_sigma = 0.007;
 // Of the ring edges in sight.
 constexpr double min_shown = 0.3;
 // The same of a pose that the whole look proved, as ring edges alone did not.
@@ -33,7 +33,8 @@ void Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d
     return;
   const Matrix6d covariance = fit.pose_covariance();
   const double turn_sigma = std::sqrt(covariance.topLeftCorner<3, 3>().diagonal().maxCoeff());
-  if (turn_sigma > (by_look ? max_turn_sigma_by_look : max_turn_sigma)) return;
+  // Written so that what is not a number is refused.
+  if (!(turn_sigma <= (by_look ? max_turn_sigma_by_look : max_turn_sigma))) return;
   if (angle_between(before, fit.motion.pose) > (view.clock.rolls() ? max_rolling_turn : max_turn)) return;
   d.refinement.pose = fit.motion.pose;
   d.refinement.covariance = covariance;
