@@ -9,6 +9,7 @@ namespace onestroke {
 using Vec2d = Eigen::Vector2d;
 using Vec3d = Eigen::Vector3d;
 using Mat3d = Eigen::Matrix3d;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// T_camera_marker as the solvers hold it.
 struct EigenPose {

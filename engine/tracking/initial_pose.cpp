@@ -23,7 +23,7 @@ Vec3d seen_centre(const RodModel& rod, int cell, const Vec3d& eye) {
 bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, bool one_arm,
                PoseGuess& guess) {
   using Vector6d = Eigen::Matrix<double, 6, 1>;
-  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
   for (int i = 0; i < 10; ++i) {
     Matrix6d hessian = Matrix6d::Zero();
     Vector6d gradient = Vector6d::Zero();

@@ -7,7 +7,6 @@
 namespace onestroke {
 namespace {
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Growth = Eigen::Matrix<double, growths, 1>;
 

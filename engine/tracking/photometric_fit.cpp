@@ -12,7 +12,6 @@ namespace onestroke {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 

@@ -10,8 +10,6 @@
 
 namespace onestroke {
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
 struct RefineOptions {
   int max_iterations = 12;
   /// Standard deviations of one edge measurement, pixels.

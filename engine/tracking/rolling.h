@@ -37,6 +37,8 @@ struct Motion {
   EigenPose at(double seconds) const;
   /// The velocity of a point of the marker, given in camera axes, mm/s.
   Vec3d velocity_of(const Vec3d& point) const { return linear + angular.cross(point - pose.t); }
+  /// A point of that velocity goes seconds * (velocity + seconds * bend).
+  Vec3d bend(const Vec3d& velocity, double seconds) const;
 };
 
 /// Projects a point of a moving marker, given where it is when the middle row is exposed, at the time when the row that

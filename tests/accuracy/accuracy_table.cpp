@@ -25,7 +25,7 @@ int main(int argc, char** argv) try {
     return 0;
   }
   const PhotorealSet set(photoreal_folder());
-  for (const char* group : {"booth", "sphere", "hands", "hmd", "multi"})
+  for (const char* group : {"booth", "sphere", "hands", "turntable", "hmd", "multi"})
     row(std::string("photoreal, ") + group, set.catalog(), [&](const Visit& visit) { set.visit(group, visit); });
   return 0;
 } catch (const onestroke::Error& e) {

@@ -24,6 +24,7 @@ struct PhotorealSet::Frames {
   struct Frame {
     std::string image, group;
     Intrinsics intrinsics;
+    Exposure exposure;
     std::vector<Truth> truth;
   };
   std::vector<Frame> all;
@@ -37,6 +38,11 @@ struct PhotorealSet::Frames {
     f.intrinsics.fy = camera.at("fy").get<double>();
     f.intrinsics.cx = camera.at("cx").get<double>();
     f.intrinsics.cy = camera.at("cy").get<double>();
+    if (frame.contains("rolling")) {
+      const json& rolling = frame.at("rolling");
+      f.exposure.length = Duration::from_seconds(rolling.at("exposure_s").get<double>());
+      f.exposure.readout = Duration::from_seconds(rolling.at("readout_s").get<double>());
+    }
     for (const json& m : frame.at("markers"))
       f.truth.push_back({m.at("id").get<int>(), pose_of(m), m.value("cells_visible", max_cells)});
     all.push_back(std::move(f));
@@ -72,6 +78,7 @@ void PhotorealSet::visit(const std::string& group, const Visit& visit) const {
     picture.planes[0] = decoded.rgb.data();
     picture.strides[0] = 3 * static_cast<std::size_t>(decoded.width);
     picture.intrinsics = f.intrinsics;
+    picture.exposure = f.exposure;
     visit(f.image, picture, f.truth);
   }
 }

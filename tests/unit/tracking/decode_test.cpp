@@ -39,6 +39,29 @@ void expect_read(const Reading& r, int marker, int first, int count, bool backwa
   EXPECT_EQ(r.cell_of(count - 1), backward ? first : first + count - 1);
 }
 
+TEST(CodeWindows, AlignAsAllAlignmentsDo) {
+  const Catalog catalog = catalog_of(8);
+  const CodeWindows windows(catalog);
+  for (const bool backward : {false, true})
+    for (const std::vector<int>& gaps : {std::vector<int>{}, {4}, {3, 9, 10}, {2, 5, 8, 11}}) {
+      Seen seen;
+      seen.add(code(catalog, 5), 7, 15, backward, gaps);
+      const auto quick = read_chains(catalog, windows, seen.cells, seen.chains);
+      ASSERT_FALSE(quick.empty());
+      expect_read(quick.front(), 5, 7, 15, backward);
+      EXPECT_EQ(quick.front().score(), read_chains(catalog, seen.cells, seen.chains).front().score());
+    }
+}
+
+TEST(CodeWindows, ShortRunsAlignWithNothing) {
+  const Catalog catalog = catalog_of(8);
+  Seen seen;
+  seen.add(code(catalog, 2), 3, 5, false);
+  std::vector<Reading> alignments(3);
+  CodeWindows(catalog).align(seen.cells, seen.chains.front(), alignments);
+  EXPECT_TRUE(alignments.empty());
+}
+
 TEST(Decode, WindowsAreReadFromBothEnds) {
   const Catalog catalog = catalog_of(8);
   for (std::size_t m = 0; m < 8; ++m)

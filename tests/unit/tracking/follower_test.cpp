@@ -53,6 +53,37 @@ TEST(Follower, PredictsConstantVelocity) {
   EXPECT_LT(norm(predicted.translation - truth.translation), 1e-6);
 }
 
+TEST(Follower, PredictsConstantAcceleration) {
+  Follower f;
+  const auto at = [](double s) { return Pose{{}, {100 * s + 900 * s * s, 20, 400}}; };
+  for (const int ms : {0, 33, 66, 99}) f.measured(at_ms(ms), at(ms * 1e-3), {}, unit_covariance());
+  EXPECT_NEAR(f.velocity().linear.x, 100 + 2 * 900 * 0.099, 2);
+  EXPECT_LT(norm(f.predict(at_ms(132)).translation - at(0.132).translation), 0.1);
+}
+
+TEST(Follower, WhatMeasurementsErrByIsNoAcceleration) {
+  Follower f;
+  std::array<double, 36> loose{};
+  for (std::size_t i = 0; i < 6; ++i) loose[7 * i] = 4;
+  for (const int ms : {0, 33, 66, 99}) f.measured(at_ms(ms), {{}, {ms % 2 ? 1.0 : -1.0, 0, 400}}, {}, loose);
+  EXPECT_LT(norm(f.predict(at_ms(132)).translation - Vec3{0, 0, 400}), 5);
+}
+
+TEST(Follower, AVelocityThatOnePictureToldIsTaken) {
+  Follower f;
+  const Velocity told{{0, 2, 0}, {50, 0, 0}};
+  f.measured(at_ms(0), moving(at_ms(0)), {}, unit_covariance(), &told);
+  EXPECT_EQ(f.velocity().angular.y, 2);
+  EXPECT_NEAR(f.predict(at_ms(100)).translation.x, moving(at_ms(0)).translation.x + 5, 1e-9);
+}
+
+TEST(Follower, BelievesWhatComesTwice) {
+  Follower f = followed({0, 33, 66});
+  const Pose elsewhere{exp_so3({0, 2, 0}), {-200, 20, 400}};
+  EXPECT_FALSE(f.plausible(at_ms(99), elsewhere));
+  EXPECT_TRUE(f.plausible(at_ms(132), elsewhere));
+}
+
 TEST(Follower, AVelocityIsNotTakenAcrossALongGap) {
   const Follower f = followed({0, 600});
   EXPECT_EQ(norm(f.velocity().linear), 0);
