@@ -111,7 +111,7 @@ class EdgeMeter {
     const double radius = normal.dot(px - pc);
     if (radius < 1.5) return;
     const Vec2d pa = px - 0.4 * radius * normal, pb = px + std::max(0.4 * radius, 1.5) * normal;
-    if (!image_.contains(pb.x(), pb.y())) return;
+    if (!image_.contains(pa.x(), pa.y()) || !image_.contains(pb.x(), pb.y())) return;
     const Color ca = image_.sample(pa.x(), pa.y()), cb = image_.sample(pb.x(), pb.y());
     if (inks_.match(ca, rod_.ink(c)) != Inks::Match::agrees) return;
     if ((cb - ca).matrix().norm() < 40) return;

@@ -49,7 +49,7 @@ void QuickSearch::propose(const TimedView& view, const std::vector<bool>& skip) 
                    [](const Proposal& a, const Proposal& b) { return a.score > b.score; });
 }
 
-bool QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
+void QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
                        std::vector<Detection>& found) {
   propose(view, skip);
   std::vector<int> tries(rods_.size(), 0);
@@ -67,8 +67,10 @@ bool QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, con
       break;
     }
   }
-  return std::any_of(chains_.begin(), chains_.end(),
-                     [&](const Chain& c) { return !explained(c, known) && !explained(c, found); });
+  unexplained_.clear();
+  for (const Chain& c : chains_)
+    if (!explained(c, known) && !explained(c, found))
+      unexplained_.push_back(factor_ * cells_[static_cast<std::size_t>(c.links[c.links.size() / 2].cell)].centre);
 }
 
 // Most of its cells are those of a detection.

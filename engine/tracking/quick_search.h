@@ -17,10 +17,12 @@ class QuickSearch {
       : catalog_(catalog), rods_(rods), windows_(catalog) {}
 
   /// Markers whose index is flagged in `skip` are not looked for; those among them that are in this picture are
-  /// `known`. Appends the markers found. Returns whether rows of cells are left that no detection explains, so that a
-  /// thorough search may find more.
-  bool find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
+  /// `known`. Appends the markers found.
+  void find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
             std::vector<Detection>& found);
+  /// Where in the last picture rows of cells are left that no detection explains, pixels: a thorough search may find
+  /// more.
+  const std::vector<Vec2d>& unexplained() const { return unexplained_; }
 
  private:
   void propose(const TimedView& view, const std::vector<bool>& skip);
@@ -39,6 +41,7 @@ class QuickSearch {
   std::vector<Chain> chains_;
   std::vector<Reading> readings_;
   std::vector<Proposal> proposals_;
+  std::vector<Vec2d> unexplained_;
 };
 
 }  // namespace onestroke

@@ -77,7 +77,8 @@ class Tracker::Impl {
 
   void forget() {
     for (Follower& f : followers_) f.forget();
-    since_thorough_ = options_.miss_thoroughly_every;
+    fruitless_.clear();
+    since_thorough_ = long_ago;
   }
 
   // A pose that no hand could have brought about is a mistake, however well it fits: what is followed goes on as
@@ -133,13 +134,24 @@ class Tracker::Impl {
     if (!missing && since_search_ < options_.search_every) return;
     since_search_ = 0;
     detections_.clear();
-    const bool more = quick_.find(view, found_, measured_, detections_);
+    quick_.find(view, found_, measured_, detections_);
     for (const Detection& d : detections_) take(picture, d);
     const bool still_missing = measured_.empty() || missed();
-    if (!still_missing && !more) return;
+    if (!still_missing && !something_new()) return;
     if (since_thorough_ < (still_missing ? options_.miss_thoroughly_every : options_.search_thoroughly_every)) return;
     search_thoroughly(picture, view);
     since_thorough_ = 0;
+    fruitless_ = quick_.unexplained();
+  }
+
+  // A row of cells that nothing explains, where none was when the last thorough search was made.
+  bool something_new() const {
+    constexpr double reach = 30;
+    const auto known = [&](const Vec2d& p) {
+      return std::any_of(fruitless_.begin(), fruitless_.end(), [&](const Vec2d& q) { return (p - q).norm() < reach; });
+    };
+    const std::vector<Vec2d>& left = quick_.unexplained();
+    return !std::all_of(left.begin(), left.end(), known);
   }
 
   void search_thoroughly(const Picture& picture, const TimedView& view) {
@@ -196,12 +208,14 @@ class Tracker::Impl {
   std::vector<Follower> followers_;
   std::vector<bool> found_;
   std::vector<Detection> detections_, measured_;
+  std::vector<Vec2d> fruitless_;
   std::vector<std::uint8_t> rgb_;
   LevelMaker levels_;
   Levels smoothed_;
   bool levels_made_ = false;
   Time time_, last_time_;
-  int since_search_ = 0, since_thorough_ = 1000;
+  static constexpr int long_ago = 1 << 20;  // Pictures.
+  int since_search_ = 0, since_thorough_ = long_ago;
 };
 
 Tracker::Tracker(Catalog catalog, const TrackerOptions& options)

@@ -22,9 +22,11 @@ struct Looker {
     return rods;
   }
 
+  /// Whether rows are left that nothing explains.
   bool look(const Shot& shot, std::vector<Detection>& found, const std::vector<bool>& skip = {}) {
     found.clear();
-    return search.find({shot.view(), shot.intrinsics, {}}, skip, {}, found);
+    search.find({shot.view(), shot.intrinsics, {}}, skip, {}, found);
+    return !search.unexplained().empty();
   }
 };
 
