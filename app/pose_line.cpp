@@ -37,7 +37,8 @@ Json object(const MarkerObservation& marker) {
           {"covariance", marker.covariance},
           {"cells_seen", marker.cells_seen},
           {"state", word(marker.state)},
-          {"cell_centres", cell_centres(marker)}};
+          {"cell_centres", cell_centres(marker)},
+          {"velocity", {{"angular", numbers(marker.velocity.angular)}, {"linear", numbers(marker.velocity.linear)}}}};
 }
 
 }  // namespace

@@ -31,7 +31,9 @@ struct MarkerObservation {
   /// 6 x 6, row-major: a left perturbation of T_camera_marker, rotation vector (rad) then translation (mm), camera
   /// axes.
   std::array<double, 36> covariance{};
-  Velocity velocity;  ///< Of T_camera_marker; zero until two pictures are known.
+  /// Of T_camera_marker, the translation being that of the marker's origin; zero until two pictures are known, or one
+  /// of a rolling shutter tells it.
+  Velocity velocity;
   int cells_seen = 0;
   std::array<CellCentre, max_cells_per_marker> cells{};  ///< The first cells_seen are valid.
 };

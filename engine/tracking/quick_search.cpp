@@ -30,7 +30,7 @@ Inks QuickSearch::inks_of(const ImageView& image, const Proposal& p) const {
 
 void QuickSearch::propose(const TimedView& view, const std::vector<bool>& skip) {
   factor_ = std::max(1, view.image.width / columns);
-  segment_coarsely(view.image, factor_, labels_);
+  segment(view.image, {}, labels_, factor_);
   const int width = view.image.width / factor_, height = view.image.height / factor_;
   cell_finder_.find(labels_, width, height, {}, cells_);
   chain_finder_.find(cells_, width, height, {}, chains_);

@@ -77,8 +77,8 @@ class LineMeter {
         eye_(-motion.pose.R.transpose() * motion.pose.t) {}
 
   void run() {
-    for (int e = 1; e < rod_.cell_count(); ++e) ring(e);
-    for (int c = 0; c < rod_.cell_count(); ++c) outlines(c);
+    for (int e = 1; e < rod_.cell_count(); e += options_.stride) ring(e);
+    for (int c = 0; c < rod_.cell_count(); c += options_.outline_stride) outlines(c);
   }
 
  private:

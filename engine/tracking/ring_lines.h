@@ -43,6 +43,8 @@ struct LineOptions {
   int max_lines = 40;
   /// Between places along the rod where its outline is measured, pixels.
   double outline_spacing = 2.5;
+  /// Every which ring edge is measured, and the outline beside every which cell.
+  int stride = 1, outline_stride = 1;
 };
 
 /// Measures the rod's ring edges along generator lines of its surface, and its outline. A line's colours pass from one

@@ -3,10 +3,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace onestroke {
-
 namespace {
 
 // Fixed point, 8 fractional bits: the comparison runs once per pixel and gain.
@@ -30,40 +28,17 @@ class InkTest {
   int gain_, relative_, absolute_;
 };
 
-// By the upper five bits of each channel.
-constexpr int step = 8, channel_steps = 256 / step;
-
-std::array<std::uint8_t, channel_steps * channel_steps * channel_steps> make_ink_table() {
-  std::array<std::uint8_t, channel_steps * channel_steps * channel_steps> table;
-  const InkTest ink(SegmentationOptions{});
-  for (int i = 0; i < static_cast<int>(table.size()); ++i) {
-    const int r = i / (channel_steps * channel_steps), g = i / channel_steps % channel_steps, b = i % channel_steps;
-    table[static_cast<std::size_t>(i)] = ink(step * r + step / 2, step * g + step / 2, step * b + step / 2);
-  }
-  return table;
-}
-
 }  // namespace
 
-void segment_coarsely(const ImageView& image, int factor, std::vector<std::uint8_t>& labels) {
-  static const auto table = make_ink_table();
+void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels,
+             int factor) {
+  const InkTest ink(options);
   const int width = image.width / factor, height = image.height / factor;
   labels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::uint8_t* out = labels.data();
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* p = image.at(factor / 2, y * factor + factor / 2);
-    for (int x = 0; x < width; ++x, p += 3 * factor)
-      *out++ = table[static_cast<std::size_t>((p[0] & 0xf8) << 7 | (p[1] & 0xf8) << 2 | p[2] >> 3)];
-  }
-}
-
-void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels) {
-  labels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  const InkTest ink(options);
-  std::uint8_t* out = labels.data();
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint8_t* p = image.at(0, y);
-    for (int x = 0; x < image.width; ++x, p += 3) *out++ = ink(p[0], p[1], p[2]);
+    for (int x = 0; x < width; ++x, p += 3 * factor) *out++ = ink(p[0], p[1], p[2]);
   }
 }
 

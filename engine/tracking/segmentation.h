@@ -22,12 +22,10 @@ struct SegmentationOptions {
 };
 
 /// Which ink each pixel shows: the largest channel (0 red, 1 green, 2 blue), or no_ink. Comparing channels of one pixel
-/// leaves shading out. labels is resized to width * height.
-void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels);
-
-/// The same by the default options, one pixel of each square of `factor` by `factor`, and channels in steps of 8
-/// levels: for a first look. labels is resized to (width / factor) * (height / factor).
-void segment_coarsely(const ImageView& image, int factor, std::vector<std::uint8_t>& labels);
+/// leaves shading out. A factor above 1 looks at the middle pixel of each square of that side only. labels is resized
+/// to (width / factor) * (height / factor).
+void segment(const ImageView& image, const SegmentationOptions& options, std::vector<std::uint8_t>& labels,
+             int factor = 1);
 
 /// Gaussian smoothing of packed RGB (sigma in pixels), against sensor noise. out has stride 3 * width.
 void smooth(const ImageView& image, double sigma, std::vector<std::uint8_t>& out);

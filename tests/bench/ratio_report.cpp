@@ -4,6 +4,15 @@
 
 namespace onestroke::bench {
 
+namespace {
+
+double median_of(const benchmark::BenchmarkReporter::Run& run) {
+  const auto counter = run.counters.find(median_counter);
+  return counter != run.counters.end() ? counter->second.value : run.GetAdjustedRealTime();
+}
+
+}  // namespace
+
 void RatioReport::ReportRuns(const std::vector<Run>& runs) {
   ConsoleReporter::ReportRuns(runs);
   for (const Run& run : runs) {
@@ -13,7 +22,7 @@ void RatioReport::ReportRuns(const std::vector<Run>& runs) {
     const std::string& name = run.run_name.function_name;
     const std::size_t slash = name.find('/');
     // Repetitions come before their median, which takes their place.
-    ms_[name.substr(slash + 1)][name.substr(0, slash)] = run.GetAdjustedRealTime();
+    ms_[name.substr(slash + 1)][name.substr(0, slash)] = median_of(run);
   }
 }
 

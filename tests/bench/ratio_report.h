@@ -8,7 +8,11 @@
 
 namespace onestroke::bench {
 
-/// Prints each benchmark as usual and keeps its median (its only time where there is one repetition).
+/// The counter in which a benchmark tells the median of single pictures, ms.
+inline constexpr const char* median_counter = "median_ms";
+
+/// Prints each benchmark as usual and keeps its median (its only time where there is one repetition): that of
+/// single pictures where it tells it.
 /// Benchmarks are named "what/picture".
 class RatioReport : public benchmark::ConsoleReporter {
  public:

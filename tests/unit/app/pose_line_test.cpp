@@ -24,6 +24,7 @@ FrameRecord record_of_one() {
   m.state = MarkerState::measured;
   m.T_camera_marker = {exp_so3({0.1, -0.7, 2.0 / 3}), {1.0 / 3, -20, 450.25}};
   for (std::size_t i = 0; i < 36; ++i) m.covariance[i] = 1e-7 * static_cast<double>(i);
+  m.velocity = {{0.5, 0, -2}, {10, 20, 30}};
   m.cells_seen = 2;
   m.cells[0] = {4, 100.5, 200.25};
   m.cells[1] = {5, 104.1, 0.1};
@@ -41,8 +42,9 @@ TEST(PoseLine, HasTheDocumentedForm) {
   const Json marker = Json::parse(line)["markers"][0];
   std::vector<std::string> keys;
   for (const auto& [key, value] : marker.items()) keys.push_back(key);
-  EXPECT_THAT(
-      keys, testing::ElementsAre("id", "name", "R", "rvec", "t", "covariance", "cells_seen", "state", "cell_centres"));
+  EXPECT_THAT(keys, testing::ElementsAre("id", "name", "R", "rvec", "t", "covariance", "cells_seen", "state",
+                                         "cell_centres", "velocity"));
+  EXPECT_EQ(marker["velocity"], Json::parse(R"({"angular": [0.5, 0.0, -2.0], "linear": [10.0, 20.0, 30.0]})"));
   EXPECT_EQ(marker["cell_centres"], Json::parse("[[4, 100.5, 200.25], [5, 104.1, 0.1]]"));
   EXPECT_EQ(marker["state"], "measured");
   EXPECT_EQ(marker["cells_seen"], 2);

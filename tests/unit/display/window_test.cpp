@@ -29,6 +29,8 @@ class Server {
     if (display_) XCloseDisplay(display_);
   }
 
+  bool answers() const { return display_; }
+
   ::Window find() const { return find_below(DefaultRootWindow(display_)); }
 
   std::array<int, 3> pixel(::Window window, int x, int y) const {
@@ -87,6 +89,7 @@ class WindowTest : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(std::getenv("DISPLAY")) << "this test needs an X server: run it with xvfb-run -a";
+    ASSERT_TRUE(server.answers());
     window.emplace(WindowOptions{.title = title, .width = 320, .height = 240});
     Gpu gpu({.needs = window->needs(), .validation = true, .validation_messages = &validation_messages});
     window->attach(gpu);

@@ -54,6 +54,18 @@ TEST(Segmentation, InksKeepTheirLabelFromFullLightToDeepShade) {
       EXPECT_EQ(label_of(scaled(inks[static_cast<std::size_t>(ink)], {light, light, light})), ink) << "light " << light;
 }
 
+TEST(Segmentation, AFactorLooksAtTheMiddleOfEachSquare) {
+  Patch patch({0, 0, 0}, 14, 9, 5);
+  std::mt19937 random(3);
+  for (std::uint8_t& b : patch.bytes) b = static_cast<std::uint8_t>(random() % 256);
+  std::vector<std::uint8_t> all, some;
+  segment(patch.view(), {}, all);
+  segment(patch.view(), {}, some, 4);
+  ASSERT_EQ(some.size(), 3u * 2u);
+  for (std::size_t y = 0; y < 2; ++y)
+    for (std::size_t x = 0; x < 3; ++x) EXPECT_EQ(some[3 * y + x], all[14 * (4 * y + 2) + 4 * x + 2]);
+}
+
 TEST(Segmentation, InksKeepTheirLabelUnderMildColourCasts) {
   for (int ink = 0; ink < 3; ++ink)
     for (const Rgb& cast : {Rgb{1.15, 1, 0.8}, Rgb{0.85, 1, 1.15}, Rgb{1, 1.1, 1}})
