@@ -70,7 +70,7 @@ void QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, con
   unexplained_.clear();
   for (const Chain& c : chains_)
     if (!explained(c, known) && !explained(c, found))
-      unexplained_.push_back(factor_ * cells_[static_cast<std::size_t>(c.links[c.links.size() / 2].cell)].centre);
+      unexplained_.emplace_back(factor_ * cells_[static_cast<std::size_t>(c.links[c.links.size() / 2].cell)].centre);
 }
 
 // Most of its cells are those of a detection.
