@@ -20,7 +20,6 @@ constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 constexpr std::array<SegmentationOptions, 3> sharp_segmentations{{{1.0F}, {1.6F}, {1.0F, 0.4F}}};
 // Defocus mixes the inks; smoothed, the little that they differ by still stands out of the noise.
 constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
-constexpr float min_ink_separation = 0.02F;
 
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
@@ -102,20 +101,12 @@ void Detector::propose(const ImageView& image, const SegmentationOptions& segmen
   proposer.singles(skip, singles_);
 }
 
-Inks Detector::inks_of(const ImageView& image, const Proposal& p) const {
-  InkSamples samples;
-  const RodModel& rod = rods_[static_cast<std::size_t>(p.marker)];
-  for (const CellPoint& c : p.points)
-    if (image.contains(c.pixel.x(), c.pixel.y())) samples.add(rod.ink(c.cell), image.sample(c.pixel.x(), c.pixel.y()));
-  return samples.mean();
-}
-
 // Cheap look at a guess before the costly refinement.
 void Detector::weigh(const Levels& levels, const Intrinsics& intrinsics, const Proposal& p,
                      std::vector<PoseCandidate>& candidates) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(p.marker)];
   const ImageView& image = levels.for_pitch(pitch_in_pixels(intrinsics, rod, p.guesses.front().pose));
-  const Inks seen = inks_of(image, p);
+  const Inks seen = inks_of(image, rod, p);
   if (seen.separation < min_ink_separation) return;
   for (const PoseGuess& g : p.guesses) {
     PoseCandidate c{p.marker, g.pose, seen, 0, 0};
@@ -182,7 +173,7 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
     const double pitch = pitch_in_pixels(intrinsics, rod, g.pose);
     if (g.rms > 0.35 * pitch + 0.5) continue;
     const ImageView& image = levels.for_pitch(pitch);
-    Inks inks = inks_of(image, single);
+    Inks inks = inks_of(image, rod, single);
     if (inks.separation < min_ink_separation) continue;
     complete_inks(image, intrinsics, rod, g.pose, inks);
     const Refinement arm = refine(image, intrinsics, rod, inks, g.pose, options);

@@ -60,7 +60,6 @@ class Detector {
   void prove_by_look(const WholeLook& look, const Intrinsics& intrinsics, std::vector<PoseCandidate>& candidates,
                      std::vector<Detection>& proven) const;
   void thin_singles();
-  Inks inks_of(const ImageView& image, const Proposal& proposal) const;
   void select(const Intrinsics& intrinsics, std::vector<Detection>& proven, std::vector<Detection>& detections) const;
 
   const Catalog& catalog_;

@@ -26,6 +26,9 @@ struct Inks {
   Match match(const Color& color, int expected) const;
 };
 
+/// Inks that differ by less cannot be told apart.
+inline constexpr float min_ink_separation = 0.02F;
+
 /// Collects samples and averages them.
 class InkSamples {
  public:

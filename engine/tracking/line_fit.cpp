@@ -116,13 +116,15 @@ class Solver {
     return m.offset - derivatives_[i].dot(delta_.template head<N>()) - m.by_growth * delta_[N + m.growth];
   }
 
-  // 1.4826 times the median of what was gathered: the standard deviation, outliers aside.
-  double spread() {
-    if (scratch_.empty()) return 0;
+  // Of what was gathered; there must be something.
+  double median() {
     const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
     std::nth_element(scratch_.begin(), middle, scratch_.end());
-    return 1.4826 * *middle;
+    return *middle;
   }
+
+  // 1.4826 times the median of absolute values: the standard deviation, outliers aside.
+  double spread() { return scratch_.empty() ? 0 : 1.4826 * median(); }
 
   void weigh() {
     residuals_.resize(set_.lines.size());
@@ -151,9 +153,7 @@ class Solver {
   double median_effect(const Group& g) {
     scratch_.clear();
     for (std::size_t i = g.first; i < g.last; ++i) scratch_.push_back(residuals_[i] / set_.lines[i].by_growth);
-    const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
-    std::nth_element(scratch_.begin(), middle, scratch_.end());
-    return *middle;
+    return median();
   }
 
   void accumulate() {
@@ -216,6 +216,14 @@ class Solver {
 };
 
 }  // namespace
+
+void take_velocity(const TimedView& view, const LineFit& fit, Detection& d) {
+  if (!view.clock.rolls()) return;
+  d.moving = true;
+  d.angular = fit.motion.angular;
+  d.linear = fit.motion.linear;
+  d.velocity_covariance = fit.covariance.bottomRightCorner<6, 6>();
+}
 
 LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& start,
                         const VelocityPrior& prior, std::span<const LineOptions> passes) {

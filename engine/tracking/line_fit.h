@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tracking/detection.h"
 #include "tracking/ring_lines.h"
 
 #include <array>
@@ -35,6 +36,9 @@ struct LineFit {
 
   Eigen::Matrix<double, 6, 6> pose_covariance() const { return covariance.topLeftCorner<6, 6>(); }
 };
+
+/// Gives a detection the velocity that was fitted with its pose; where the shutter does not roll none was.
+void take_velocity(const TimedView& view, const LineFit& fit, Detection& detection);
 
 /// Fits a motion to the rod's edges in a picture. Keeps its memory between pictures; used by one thread at a time.
 class LineFitter {

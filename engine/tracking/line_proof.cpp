@@ -77,10 +77,7 @@ bool LineProof::prove(const TimedView& view, int marker, const RodModel& rod, co
     fit = fitter_.fit(view, rod, inks, fit.motion, prior, settling_passes);
   }
   if (!believable(rod, d.refinement, d.appearance)) return false;
-  d.moving = view.clock.rolls();
-  d.angular = fit.motion.angular;
-  d.linear = fit.motion.linear;
-  d.velocity_covariance = fit.covariance.bottomRightCorner<6, 6>();
+  take_velocity(view, fit, d);
   detection = std::move(d);
   return true;
 }

@@ -11,6 +11,15 @@ constexpr int max_singles_per_chain = 4;
 
 }  // namespace
 
+Inks inks_of(const ImageView& image, const RodModel& rod, const Proposal& proposal, int factor) {
+  InkSamples samples;
+  for (const CellPoint& c : proposal.points) {
+    const double u = factor * c.pixel.x(), v = factor * c.pixel.y();
+    if (image.contains(u, v)) samples.add(rod.ink(c.cell), image.sample(u, v));
+  }
+  return samples.mean();
+}
+
 // A reading as a line in the picture: pixel = origin + slope * arc length.
 struct Proposer::Row {
   std::vector<CellPoint> points;

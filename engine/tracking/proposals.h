@@ -4,6 +4,7 @@
 #include "tracking/chains.h"
 #include "tracking/decode.h"
 #include "tracking/initial_pose.h"
+#include "tracking/inks.h"
 
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Proposal {
   std::vector<PoseGuess> guesses;  ///< Empty where one arm alone is known.
   int score = 0;
 };
+
+/// The inks as the cells of a proposal show them; its pixels count squares of `factor` by `factor` of the picture's.
+Inks inks_of(const ImageView& image, const RodModel& rod, const Proposal& proposal, int factor = 1);
 
 /// Turns readings of chains into proposals.
 class Proposer {

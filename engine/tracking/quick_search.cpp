@@ -14,19 +14,8 @@ constexpr int columns = 400;
 constexpr std::size_t min_links = 6;
 // Proposals of one marker that are put to the proof.
 constexpr int max_tries = 3;
-constexpr float min_ink_separation = 0.02F;
 
 }  // namespace
-
-Inks QuickSearch::inks_of(const ImageView& image, const Proposal& p) const {
-  InkSamples samples;
-  const RodModel& rod = rods_[static_cast<std::size_t>(p.marker)];
-  for (const CellPoint& c : p.points) {
-    const double u = factor_ * c.pixel.x(), v = factor_ * c.pixel.y();
-    if (image.contains(u, v)) samples.add(rod.ink(c.cell), image.sample(u, v));
-  }
-  return samples.mean();
-}
 
 void QuickSearch::propose(const TimedView& view, const std::vector<bool>& skip) {
   factor_ = std::max(1, view.image.width / columns);
@@ -57,7 +46,7 @@ void QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, con
     const auto m = static_cast<std::size_t>(p.marker);
     if (tries[m]++ >= max_tries) continue;
     const RodModel& rod = rods_[m];
-    const Inks inks = inks_of(view.image, p);
+    const Inks inks = inks_of(view.image, rod, p, factor_);
     if (inks.separation < min_ink_separation || !(inks.known[0] && inks.known[1] && inks.known[2])) continue;
     for (const PoseGuess& g : p.guesses) {
       Detection d;

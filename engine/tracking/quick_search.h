@@ -27,7 +27,6 @@ class QuickSearch {
  private:
   void propose(const TimedView& view, const std::vector<bool>& skip);
   bool explained(const Chain& chain, const std::vector<Detection>& detections) const;
-  Inks inks_of(const ImageView& image, const Proposal& proposal) const;
 
   const Catalog& catalog_;
   const std::vector<RodModel>& rods_;

@@ -192,7 +192,7 @@ class LineMeter {
   double step_offset(const Vec2d& px, const Vec2d& to_a, const Vec2d& to_b, double reach, const Color& at_a,
                      const Color& difference) const {
     static const Step step;
-    const Color d = weighted(difference) / (weighted(difference) * difference).sum();
+    const Color heavy = weighted(difference), d = heavy / (heavy * difference).sum();
     float sum = 0, first = 0, last = 0;
     for (std::size_t i = 0; i < steps; ++i) {
       const double s = static_cast<double>(step.at[i]) * reach;

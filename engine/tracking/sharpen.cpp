@@ -38,11 +38,7 @@ void Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d
   if (angle_between(before, fit.motion.pose) > (view.clock.rolls() ? max_rolling_turn : max_turn)) return;
   d.refinement.pose = fit.motion.pose;
   d.refinement.covariance = covariance;
-  if (!view.clock.rolls()) return;
-  d.moving = true;
-  d.angular = fit.motion.angular;
-  d.linear = fit.motion.linear;
-  d.velocity_covariance = fit.covariance.bottomRightCorner<6, 6>();
+  take_velocity(view, fit, d);
 }
 
 }  // namespace onestroke
