@@ -15,6 +15,8 @@ struct Chain {
   };
   std::vector<Link> links;
   double width = 0;  ///< Median width of the rod across the row, pixels.
+  /// Of a row joined from pieces: the link that begins each piece but the first.
+  std::vector<int> joints;
 
   int length() const { return links.empty() ? 0 : links.back().position + 1; }
 };

@@ -30,6 +30,11 @@ Reading best_stretch(const Cells& code, const std::vector<Cell>& cells, const Ch
   return best;
 }
 
+// A joined row is read for what its pieces say together; each alone is a row of its own.
+bool spans_joints(const Reading& r, const Chain& chain) {
+  return chain.joints.empty() || (r.begin < chain.joints.front() && r.end > chain.joints.back());
+}
+
 // A reading that another one of the same chain explains better by this much is chance: codes agree by half with
 // anything.
 constexpr int clear_margin = 4;
@@ -138,7 +143,7 @@ std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>
           r.direction = direction;
           r.first = direction > 0 ? offset : offset + length - 1;
           r = best_stretch(code, cells, chains[c], r);
-          if (r.score() >= min_score) readings.push_back(r);
+          if (r.score() >= min_score && spans_joints(r, chains[c])) readings.push_back(r);
         }
     }
   }

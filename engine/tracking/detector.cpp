@@ -16,10 +16,13 @@ constexpr int max_rolls = 4;
 // A short or noisy row leaves its tilt to the camera uncertain by about this much, radians.
 constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 
-// Daylight, lamplight, and inks before a background of a pale colour of their own (a sky).
-constexpr std::array<SegmentationOptions, 3> sharp_segmentations{{{1.0F}, {1.6F}, {1.0F, 0.4F}}};
-// Defocus mixes the inks; smoothed, the little that they differ by still stands out of the noise.
-constexpr std::array<SegmentationOptions, 3> soft_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
+// Daylight, lamplight, inks before a background of a pale colour of their own (a sky), and light that a coloured
+// background gives its tint.
+constexpr std::array<SegmentationOptions, 5> sharp_segmentations{
+    {{1.0F}, {1.6F}, {1.0F, 0.4F}, {1.6F, 0.12F, 7.0F, 0.75F}, {1.0F, 0.05F, 3.0F, 0.75F}}};
+// Defocus and noise mix the inks; smoothed, the little that they differ by still stands out of the noise.
+constexpr std::array<SegmentationOptions, 2> soft_segmentations{{{1.0F, 0.05F, 3.0F}, {1.0F, 0.05F, 3.0F, 0.75F}}};
+constexpr std::array<SegmentationOptions, 3> softer_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
 
 // Two detections explain the same cells of the picture.
 bool overlap(double reach, const Detection& a, const Detection& b) {
@@ -94,11 +97,20 @@ void Detector::propose(const ImageView& image, const SegmentationOptions& segmen
                        const std::vector<bool>& skip) {
   segment(image, segmentation, labels_);
   cell_finder_.find(labels_, image.width, image.height, {}, cells_);
-  chain_finder_.find(cells_, image.width, image.height, {}, chains_);
+  find_chains(image);
   readings_ = read_chains(catalog_, cells_, chains_);
   const Proposer proposer(rods_, cells_, chains_, readings_, search_.limits);
   proposer.pairs(intrinsics, skip, pairs_);
   proposer.singles(skip, singles_);
+}
+
+void Detector::find_chains(const ImageView& image) {
+  constexpr std::size_t min_cells = 4, min_joined = 7, min_piece = 3;
+  ChainOptions options;
+  if (search_.join_rows) options.min_cells = min_piece;
+  chain_finder_.find(cells_, image.width, image.height, options, chains_);
+  if (search_.join_rows) row_joiner_.join(cells_, min_joined, chains_);
+  std::erase_if(chains_, [](const Chain& c) { return c.links.size() < min_cells; });
 }
 
 // Cheap look at a guess before the costly refinement.
@@ -261,7 +273,8 @@ void Detector::detect(const TimedView& view, const Levels& levels, const std::ve
   pairs_.clear();
   singles_.clear();
   for (const SegmentationOptions& s : sharp_segmentations) propose(levels.sharp, s, intrinsics, skip);
-  for (const SegmentationOptions& s : soft_segmentations) propose(levels.softer, s, intrinsics, skip);
+  for (const SegmentationOptions& s : soft_segmentations) propose(levels.soft, s, intrinsics, skip);
+  for (const SegmentationOptions& s : softer_segmentations) propose(levels.softer, s, intrinsics, skip);
   std::vector<PoseCandidate> candidates;
   for (const Proposal& p : pairs_) weigh(levels, intrinsics, p, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),

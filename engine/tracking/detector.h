@@ -6,6 +6,7 @@
 #include "tracking/line_proof.h"
 #include "tracking/proposals.h"
 #include "tracking/roll_search.h"
+#include "tracking/row_joiner.h"
 #include "tracking/segmentation.h"
 #include "tracking/sharpen.h"
 
@@ -23,12 +24,14 @@ struct Search {
   /// Starts much like one tried before are left out. Of noisy pictures some come right only from one of several such
   /// starts.
   bool once = true;
+  /// Rows across which something lies are joined.
+  bool join_rows = false;
   /// Poses of a marker that are fitted to its whole look where no ring edges prove any.
   std::size_t max_fits = 0;
   Proposer::Limits limits;
 
   /// For pictures that stand alone, where no next one gives a second chance.
-  static Search thorough() { return {1000, 1000, -1000, 0, false, 6, {8, 5}}; }
+  static Search thorough() { return {1000, 1000, -1000, 0, false, true, 6, {8, 5}}; }
 };
 
 /// Finds markers from cold in a single picture: segment, cells, chains, readings, poses, refinement, proof. Used by one
@@ -52,6 +55,7 @@ class Detector {
  private:
   void propose(const ImageView& image, const SegmentationOptions& segmentation, const Intrinsics& intrinsics,
                const std::vector<bool>& skip);
+  void find_chains(const ImageView& image);
   void weigh(const Levels& levels, const Intrinsics& intrinsics, const Proposal& proposal,
              std::vector<PoseCandidate>& candidates) const;
   static void relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& detection);
@@ -68,6 +72,7 @@ class Detector {
   Sharpener sharpener_;
   CellFinder cell_finder_;
   ChainFinder chain_finder_;
+  RowJoiner row_joiner_;
   std::vector<std::uint8_t> labels_;
   std::vector<Cell> cells_;
   std::vector<Chain> chains_;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace onestroke {
 namespace {
 
 constexpr std::size_t max_readings_per_marker = 60;
 constexpr int max_singles_per_chain = 4;
+// Chance makes rows of pieces by the hundred.
+constexpr int max_joined_singles = 16;
 
 }  // namespace
 
@@ -19,6 +22,24 @@ Inks inks_of(const ImageView& image, const RodModel& rod, const Proposal& propos
   }
   return samples.mean();
 }
+
+namespace {
+
+// Those of the points that lie on the straight arm which has most of them.
+std::vector<CellPoint> on_fullest_arm(const RodModel& rod, const std::vector<CellPoint>& points) {
+  const auto on = [&](int arm) {
+    return std::count_if(points.begin(), points.end(), [&](const CellPoint& p) { return rod.arm_of(p.cell) == arm; });
+  };
+  int fullest = -1;
+  for (const CellPoint& p : points)
+    if (const int arm = rod.arm_of(p.cell); arm >= 0 && (fullest < 0 || on(arm) > on(fullest))) fullest = arm;
+  std::vector<CellPoint> kept;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(kept),
+               [&](const CellPoint& p) { return fullest >= 0 && rod.arm_of(p.cell) == fullest; });
+  return kept;
+}
+
+}  // namespace
 
 // A reading as a line in the picture: pixel = origin + slope * arc length.
 struct Proposer::Row {
@@ -128,15 +149,18 @@ void Proposer::pairs(const Intrinsics& k, const std::vector<bool>& skip, std::ve
 
 void Proposer::singles(const std::vector<bool>& skip, std::vector<Proposal>& proposals) const {
   std::vector<int> best(chains_.size(), 0), count(chains_.size(), 0);
+  int joined = 0;
   for (const Reading& r : readings_) {
     const auto c = static_cast<std::size_t>(r.chain);
     best[c] = std::max(best[c], r.score());
     if (!skip.empty() && skip[static_cast<std::size_t>(r.marker)]) continue;
     if (r.score() < std::max(limits_.min_single_score, best[c] - 1) || ++count[c] > max_singles_per_chain) continue;
-    const Row row = row_of(r);
-    const RodModel& rod = rods_[static_cast<std::size_t>(r.marker)];
-    if (rod.arm_of(row.low) != rod.arm_of(row.high) || row.arm < 0) continue;
-    proposals.push_back({r.marker, row.points, {}, r.score()});
+    if (!chains_[c].joints.empty() && ++joined > max_joined_singles) continue;
+    // A row on one arm may seem to run a cell or two round a corner that turns towards the camera.
+    std::vector<CellPoint> points = on_fullest_arm(rods_[static_cast<std::size_t>(r.marker)], row_of(r).points);
+    const int lost = r.agree - static_cast<int>(points.size());
+    if (r.score() - lost < limits_.min_single_score) continue;
+    proposals.push_back({r.marker, std::move(points), {}, r.score() - lost});
   }
 }
 

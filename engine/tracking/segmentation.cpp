@@ -11,12 +11,13 @@ namespace {
 class InkTest {
  public:
   explicit InkTest(const SegmentationOptions& options)
-      : gain_(static_cast<int>(256 * options.blue_gain + 0.5F)),
+      : red_gain_(static_cast<int>(256 * options.red_gain + 0.5F)),
+        blue_gain_(static_cast<int>(256 * options.blue_gain + 0.5F)),
         relative_(static_cast<int>(256 * options.relative_margin + 0.5F)),
         absolute_(static_cast<int>(256 * options.absolute_margin + 0.5F)) {}
 
   std::uint8_t operator()(int red, int green, int blue) const {
-    const int r = 256 * red, g = 256 * green, b = gain_ * blue;
+    const int r = red_gain_ * red, g = 256 * green, b = blue_gain_ * blue;
     const int high = std::max({r, g, b});
     const int middle = std::max(std::min(r, g), std::min(std::max(r, g), b));
     const int needed = std::max(absolute_, (high >> 8) * relative_);
@@ -25,7 +26,7 @@ class InkTest {
   }
 
  private:
-  int gain_, relative_, absolute_;
+  int red_gain_, blue_gain_, relative_, absolute_;
 };
 
 }  // namespace

@@ -19,6 +19,8 @@ struct SegmentationOptions {
   /// The largest channel must lead the second by this share of itself, and by this many levels.
   float relative_margin = 0.12F;
   float absolute_margin = 7.0F;
+  /// The same of the red channel: before surroundings or in light that is warm, green and blue ink have as much of it.
+  float red_gain = 1.0F;
 };
 
 /// Which ink each pixel shows: the largest channel (0 red, 1 green, 2 blue), or no_ink. Comparing channels of one pixel
