@@ -76,13 +76,25 @@ bool same_row(const Proposal& a, const Proposal& b) {
   return same >= 3 && same + 1 >= static_cast<int>(std::max(a.points.size(), b.points.size()));
 }
 
-// A row is settled where a detection explains it and shows both arms well.
+// A row is settled where a detection explains it and shows both arms well; what it names each of the row's cells alike
+// is explained the better.
 bool settled(const Proposal& single, const std::vector<Detection>& proven) {
+  constexpr double near = 6;
+  constexpr int well_shown = 8, shown = 5;
+  constexpr double well_found = 0.6;  // Of the ring edges in sight.
   const CellPoint& middle = single.points[single.points.size() / 2];
   for (const Detection& d : proven) {
-    if (d.appearance.fewest_on_arm < 8) continue;
-    for (const CellCentre& c : d.appearance.cells)
-      if (std::hypot(c.u - middle.pixel.x(), c.v - middle.pixel.y()) < 6) return true;
+    if (d.appearance.fewest_on_arm < shown) continue;
+    const auto at = [&](const CellPoint& p, bool named) {
+      return std::any_of(d.appearance.cells.begin(), d.appearance.cells.end(), [&](const CellCentre& c) {
+        return (!named || c.index == p.cell) && std::hypot(c.u - p.pixel.x(), c.v - p.pixel.y()) < near;
+      });
+    };
+    if (d.appearance.fewest_on_arm >= well_shown && at(middle, false)) return true;
+    if (d.marker != single.marker || d.refinement.supported < well_found * d.refinement.expected) continue;
+    const auto named =
+        std::count_if(single.points.begin(), single.points.end(), [&](const CellPoint& p) { return at(p, true); });
+    if (4 * named >= 3 * static_cast<std::ptrdiff_t>(single.points.size())) return true;
   }
   return false;
 }

@@ -207,11 +207,6 @@ void WholeLook::fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& cand
 
 bool WholeLook::believed(const Fits& fits, const Detection& d) {
   const Fits::Fit& best = fits.all.front();
-  if (getenv("DBG")) {
-    fprintf(stderr, "  believed? marker %d like %.1f proof %.1f weak %.1f agrees %d contra %d rollmargin %.1f blur %.2f;", fits.marker, best.likelihood, best.proof, best.weakest_arm, d.appearance.agrees, d.appearance.contradicts, roll_margin(fits.meter(d.inks), best.pose), best.blur);
-    for (const auto& f : fits.all) fprintf(stderr, " [%.1f deg %.1f p%.1f w%.1f]", 57.3 * angle_between(f.pose, best.pose), f.likelihood, f.proof, f.weakest_arm);
-    fprintf(stderr, "\n");
-  }
   if (best.likelihood < min_likelihood || best.proof < min_proof) return false;
   const bool rival = std::any_of(fits.all.begin(), fits.all.end(), [&](const Fits::Fit& f) {
     return angle_between(f.pose, best.pose) > far_apart && f.likelihood > best.likelihood - min_margin;
