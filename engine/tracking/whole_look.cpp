@@ -10,7 +10,9 @@ namespace onestroke {
 namespace {
 
 // Nats. Of candidates that are worth a fit, and of fits that are worth a look beside them.
-constexpr double worth_fitting = 25, worth_looking_beside = 40;
+constexpr double worth_fitting = 25, worth_fitting_more = 30, worth_looking_beside = 65, worth_proof = 45;
+// Fits of a marker's likeliest candidates that tell whether more of them are worth it.
+constexpr std::size_t enough_to_tell = 3;
 // Nats. Of what is believed: the likelihood, that of each straight arm (one that shows nothing proves no roll), the
 // lead over any other way of holding the rod, and the proof against a plain thing.
 constexpr double min_likelihood = 55, min_arm = 1, min_margin = 6, min_proof = 60;
@@ -174,7 +176,8 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   detection.likelihood = 0;
   Fits fits(*this, candidates.front().marker, candidates.front().pose);
   fit_likeliest(fits, candidates, max_fits);
-  if (fits.all.empty() || fits.all.front().likelihood < worth_looking_beside) return false;
+  if (fits.all.empty() || fits.all.front().likelihood < worth_looking_beside || fits.all.front().proof < worth_proof)
+    return false;
   const Appearance rough = assess(fits.image, intrinsics_, fits.rod, fits.all.front().inks, fits.all.front().pose);
   if (3 * rough.contradicts > rough.agrees) return false;
   if (relative_distance(fits.all.front().pose, candidates.front().pose) > far_off) fits.recentre();
@@ -196,6 +199,7 @@ void WholeLook::fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& cand
   std::vector<const PoseCandidate*> tried;
   for (const PoseCandidate& c : climbed) {
     if (tried.size() == max_fits) break;
+    if (tried.size() == enough_to_tell && (fits.all.empty() || fits.all.front().likelihood < worth_fitting_more)) break;
     if (std::any_of(tried.begin(), tried.end(), [&](const PoseCandidate* t) {
           return angle_between(t->pose, c.pose) < same_turn && relative_distance(t->pose, c.pose) < same_move;
         }))
