@@ -14,7 +14,6 @@ using Vector12d = Eigen::Matrix<double, 12, 1>;
 constexpr double min_common_sigma = 0.02;
 constexpr double ink_growth_sigma = 0.15, outline_growth_sigma = 0.05;
 
-constexpr int reweightings = 3;
 // Tukey's biweight at 95 % efficiency.
 constexpr double cutoff = 4.7;
 
@@ -41,7 +40,7 @@ class Solver {
                                                                        (outline_growth_sigma * outline_growth_sigma));
   }
 
-  bool solve() {
+  bool solve(int reweightings) {
     gather();
     for (int i = 0; i < reweightings; ++i) {
       weigh();
@@ -252,12 +251,12 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
   Vector12d information = Vector12d::Zero();
   information.segment<3>(6).setConstant(1 / (prior.angular * prior.angular));
   information.tail<3>().setConstant(1 / (prior.linear * prior.linear));
-  const auto pass = [&]<int N>(std::integral_constant<int, N>, bool last) {
+  const auto pass = [&]<int N>(std::integral_constant<int, N>, const LineOptions& options) {
     Vector12d mean = Vector12d::Zero();
     mean.segment<3>(6) = start.angular - fit.motion.angular;
     mean.tail<3>() = start.linear - fit.motion.linear;
     Solver<N> solver(set_, mean, information, memory_);
-    if (!solver.solve()) return false;
+    if (!solver.solve(options.reweightings)) return false;
     const auto& d = solver.delta();
     // A step of more than a quarter of a radian or 10 % of the distance is a step off the linear model.
     if (d.template head<3>().norm() > 0.25 || d.template segment<3>(3).norm() > 0.1 * fit.motion.pose.t.norm())
@@ -267,7 +266,7 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
       fit.motion.angular += d.template segment<3>(6);
       fit.motion.linear += d.template segment<3>(9);
     }
-    if (last) fit.covariance.topLeftCorner<N, N>() = solver.covariance();
+    if (&options == &passes.back()) fit.covariance.topLeftCorner<N, N>() = solver.covariance();
     fit.support = solver.support();
     fit.supported = solver.ring_weight();
     fit.rms = solver.rms();
@@ -277,9 +276,8 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
     measure_lines(view, rod, inks, fit.motion, options, set_);
     fit.expected = set_.expected;
     fit.shown = set_.shown;
-    const bool last = &options == &passes.back();
-    const bool solved = view.clock.rolls() ? pass(std::integral_constant<int, 12>{}, last)
-                                           : pass(std::integral_constant<int, 6>{}, last);
+    const bool solved = view.clock.rolls() ? pass(std::integral_constant<int, 12>{}, options)
+                                           : pass(std::integral_constant<int, 6>{}, options);
     if (!solved) return fit;
   }
   for (std::size_t c = 0; c < fit.support.size(); ++c) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace onestroke {
 namespace {
@@ -11,58 +12,49 @@ constexpr int max_singles_per_chain = 4;
 
 }  // namespace
 
-Inks inks_of(const ImageView& image, const RodModel& rod, const Proposal& proposal, int factor) {
+Inks inks_of(const ImageView& image, const RodModel& rod, std::span<const CellPoint> points, int factor) {
   InkSamples samples;
-  for (const CellPoint& c : proposal.points) {
+  for (const CellPoint& c : points) {
     const double u = factor * c.pixel.x(), v = factor * c.pixel.y();
     if (image.contains(u, v)) samples.add(rod.ink(c.cell), image.sample(u, v));
   }
   return samples.mean();
 }
 
-// A reading as a line in the picture: pixel = origin + slope * arc length.
-struct Proposer::Row {
-  std::vector<CellPoint> points;
-  int low = 0, high = 0;  // Cells.
-  int arm = -1;
-  double middle = 0;  // Arc length of the points' mean.
-  Vec2d origin, slope;
-};
-
-void Proposer::append_points(const Reading& r, std::vector<CellPoint>& points) const {
+// Calls visit(CellPoint) for the links that agree.
+template <typename Visit>
+void Proposer::for_points(const Reading& r, Visit visit) const {
   const RodModel& rod = rods_[static_cast<std::size_t>(r.marker)];
   for (int i = r.begin; i < r.end; ++i) {
     const Chain::Link& l = chains_[static_cast<std::size_t>(r.chain)].links[static_cast<std::size_t>(i)];
     const Cell& cell = cells_[static_cast<std::size_t>(l.cell)];
     const int index = r.cell_of(l.position);
-    if (index < 0 || index >= rod.cell_count() || rod.ink(index) != cell.ink) continue;
-    points.push_back({index, cell.centre});
+    if (index >= 0 && index < rod.cell_count() && rod.ink(index) == cell.ink) visit(CellPoint{index, cell.centre});
   }
 }
 
 Proposer::Row Proposer::row_of(const Reading& r) const {
   Row row;
-  append_points(r, row.points);
   const RodModel& rod = rods_[static_cast<std::size_t>(r.marker)];
   row.low = rod.cell_count();
-  double mean_s = 0;
+  double mean_s = 0, n = 0;
   Vec2d mean = Vec2d::Zero();
-  for (const CellPoint& p : row.points) {
+  for_points(r, [&](const CellPoint& p) {
     row.low = std::min(row.low, p.cell);
     row.high = std::max(row.high, p.cell);
     mean_s += rod.middle(p.cell).s;
     mean += p.pixel;
-  }
-  const auto n = static_cast<double>(row.points.size());
+    ++n;
+  });
   mean_s /= n;
   mean /= n;
   double ss = 0;
   Vec2d sp = Vec2d::Zero();
-  for (const CellPoint& p : row.points) {
+  for_points(r, [&](const CellPoint& p) {
     const double ds = rod.middle(p.cell).s - mean_s;
     ss += ds * ds;
     sp += ds * (p.pixel - mean);
-  }
+  });
   row.slope = sp / std::max(ss, 1e-9);
   row.origin = mean - mean_s * row.slope;
   row.arm = rod.arm_of((row.low + row.high) / 2);
@@ -92,37 +84,61 @@ bool Proposer::compatible(const Reading& a, const Row& row_a, const Reading& b, 
   return meet(rods_[static_cast<std::size_t>(a.marker)], row_a, row_b);
 }
 
-void Proposer::add(const Intrinsics& k, Proposal p, std::vector<Proposal>& proposals) const {
-  const RodModel& rod = rods_[static_cast<std::size_t>(p.marker)];
-  p.guesses = poses_from_cells(k, rod, p.points);
-  if (p.guesses.empty()) return;
-  const double limit = 0.35 * pitch_in_pixels(k, rod, p.guesses.front().pose) + 0.5;
-  if (p.guesses.front().rms < limit) proposals.push_back(std::move(p));
+double Proposer::max_rms(const Intrinsics& k, const RodModel& rod, const EigenPose& pose) {
+  return 0.35 * pitch_in_pixels(k, rod, pose) + 0.5;
+}
+
+void Proposer::find(const std::vector<bool>& skip, std::vector<ReadingPair>& pairs) const {
+  order_.clear();
+  for (std::size_t i = 0; i < readings_.size(); ++i)
+    if (skip.empty() || !skip[static_cast<std::size_t>(readings_[i].marker)]) order_.push_back(static_cast<int>(i));
+  const auto marker_of = [&](int i) { return readings_[static_cast<std::size_t>(i)].marker; };
+  std::sort(order_.begin(), order_.end(),
+            [&](int a, int b) { return std::pair(marker_of(a), a) < std::pair(marker_of(b), b); });
+  for (auto first = order_.begin(), last = first; first != order_.end(); first = last) {
+    const int m = marker_of(*first);
+    last = std::find_if(first, order_.end(), [&](int i) { return marker_of(i) != m; });
+    const auto count = std::min(static_cast<std::size_t>(last - first), max_readings_per_marker);
+    const std::span<const int> list(first, count);
+    const RodModel& rod = rods_[static_cast<std::size_t>(m)];
+    rows_.clear();
+    for (const int i : list) rows_.push_back(row_of(readings_[static_cast<std::size_t>(i)]));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Reading& a = readings_[static_cast<std::size_t>(list[i])];
+      if (rod.arm_of(rows_[i].low) != rod.arm_of(rows_[i].high)) pairs.push_back({m, list[i], -1, a.score()});
+      for (std::size_t j = i + 1; j < count; ++j) {
+        const Reading& b = readings_[static_cast<std::size_t>(list[j])];
+        if (compatible(a, rows_[i], b, rows_[j])) pairs.push_back({m, list[i], list[j], a.score() + b.score()});
+      }
+    }
+  }
+}
+
+void Proposer::points_of(const ReadingPair& pair, Points& points) const {
+  points.clear();
+  int low = max_cells, high = -1;
+  for_points(readings_[static_cast<std::size_t>(pair.first)], [&](const CellPoint& p) {
+    points.push_back(p);
+    low = std::min(low, p.cell);
+    high = std::max(high, p.cell);
+  });
+  if (pair.second < 0) return;
+  for_points(readings_[static_cast<std::size_t>(pair.second)], [&](const CellPoint& p) {
+    if (p.cell < low || p.cell > high) points.push_back(p);
+  });
 }
 
 void Proposer::pairs(const Intrinsics& k, const std::vector<bool>& skip, std::vector<Proposal>& proposals) const {
-  std::vector<std::vector<const Reading*>> by_marker(rods_.size());
-  for (const Reading& r : readings_) {
-    const auto m = static_cast<std::size_t>(r.marker);
-    if (!skip.empty() && skip[m]) continue;
-    if (by_marker[m].size() < max_readings_per_marker) by_marker[m].push_back(&r);
-  }
-  for (std::size_t m = 0; m < rods_.size(); ++m) {
-    const auto& list = by_marker[m];
-    std::vector<Row> rows;
-    for (const Reading* r : list) rows.push_back(row_of(*r));
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const Row& a = rows[i];
-      if (rods_[m].arm_of(a.low) != rods_[m].arm_of(a.high))
-        add(k, {static_cast<int>(m), a.points, {}, list[i]->score()}, proposals);
-      for (std::size_t j = i + 1; j < list.size(); ++j) {
-        if (!compatible(*list[i], a, *list[j], rows[j])) continue;
-        Proposal p{static_cast<int>(m), a.points, {}, list[i]->score() + list[j]->score()};
-        for (const CellPoint& q : rows[j].points)
-          if (q.cell < a.low || q.cell > a.high) p.points.push_back(q);
-        add(k, std::move(p), proposals);
-      }
-    }
+  std::vector<ReadingPair> found;
+  find(skip, found);
+  Points points;
+  for (const ReadingPair& pair : found) {
+    points_of(pair, points);
+    const RodModel& rod = rods_[static_cast<std::size_t>(pair.marker)];
+    Proposal p{pair.marker, {points.begin(), points.end()}, {}, pair.score};
+    p.guesses = poses_from_cells(k, rod, p.points);
+    if (p.guesses.empty() || p.guesses.front().rms >= max_rms(k, rod, p.guesses.front().pose)) continue;
+    proposals.push_back(std::move(p));
   }
 }
 
@@ -136,7 +152,9 @@ void Proposer::singles(const std::vector<bool>& skip, std::vector<Proposal>& pro
     const Row row = row_of(r);
     const RodModel& rod = rods_[static_cast<std::size_t>(r.marker)];
     if (rod.arm_of(row.low) != rod.arm_of(row.high) || row.arm < 0) continue;
-    proposals.push_back({r.marker, row.points, {}, r.score()});
+    Proposal p{r.marker, {}, {}, r.score()};
+    for_points(r, [&](const CellPoint& c) { p.points.push_back(c); });
+    proposals.push_back(std::move(p));
   }
 }
 
