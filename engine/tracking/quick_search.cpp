@@ -3,6 +3,7 @@
 #include "tracking/segmentation.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace onestroke {
@@ -12,14 +13,17 @@ namespace {
 constexpr int columns = 400;
 // Of a row that proposes a pose, and of one that makes a thorough search worth its time.
 constexpr int min_links = 6;
+// How far an ink's channel leads the second: first more than most backgrounds' do, as those run into rings of the ink
+// that they are nearest to; then as little as an ink's may in shade, fog or lamplight.
+constexpr std::array<float, 2> margins{0.3F, SegmentationOptions{}.relative_margin};
 // Proposals of one marker that are put to the proof.
 constexpr int max_tries = 3;
 
 }  // namespace
 
-void QuickSearch::look(const TimedView& view) {
+void QuickSearch::look(const TimedView& view, float margin) {
   factor_ = std::max(1, view.image.width / columns);
-  segment(view.image, {}, labels_, factor_);
+  segment(view.image, {.relative_margin = margin}, labels_, factor_);
   const int width = view.image.width / factor_, height = view.image.height / factor_;
   cell_finder_.find(labels_, width, height, {}, cells_);
   chain_finder_.find(cells_, width, height, {.min_cells = min_links}, chains_);
@@ -28,21 +32,26 @@ void QuickSearch::look(const TimedView& view) {
 
 void QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
                        std::vector<Detection>& found) {
-  look(view);
-  explained_.assign(chains_.size(), false);
-  note_explained(known);
-  propose(view, skip, found);
+  const std::size_t before = found.size();
+  for (const float margin : margins) {
+    look(view, margin);
+    explained_.assign(chains_.size(), false);
+    note_explained(known);
+    propose(view, skip, before, found);
+    if (!chains_.empty() && std::find(explained_.begin(), explained_.end(), false) == explained_.end()) break;
+  }
   unexplained_.clear();
   for (std::size_t c = 0; c < chains_.size(); ++c) {
-    const Chain& chain = chains_[c];
     if (explained_[c]) continue;
+    const Chain& chain = chains_[c];
     const Cell& middle = cells_[static_cast<std::size_t>(chain.links[chain.links.size() / 2].cell)];
     unexplained_.emplace_back(factor_ * middle.centre);
   }
 }
 
 // The best readings first: those that they explain need not be tried.
-void QuickSearch::propose(const TimedView& view, const std::vector<bool>& skip, std::vector<Detection>& found) {
+void QuickSearch::propose(const TimedView& view, const std::vector<bool>& skip, std::size_t before,
+                          std::vector<Detection>& found) {
   Intrinsics small = view.intrinsics;
   small.fx /= factor_;
   small.fy /= factor_;
@@ -56,6 +65,9 @@ void QuickSearch::propose(const TimedView& view, const std::vector<bool>& skip, 
     return std::tuple(-a.score, a.marker, a.first, a.second) < std::tuple(-b.score, b.marker, b.first, b.second);
   });
   tries_.assign(rods_.size(), 0);
+  const std::span<const Detection> already(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+  note_explained(already);
+  for (const Detection& d : already) tries_[static_cast<std::size_t>(d.marker)] = max_tries;
   const auto taken = [&](int reading) {
     return reading >= 0 && explained_[static_cast<std::size_t>(readings_[static_cast<std::size_t>(reading)].chain)];
   };

@@ -27,8 +27,9 @@ class QuickSearch {
   const std::vector<Vec2d>& unexplained() const { return unexplained_; }
 
  private:
-  void look(const TimedView& view);
-  void propose(const TimedView& view, const std::vector<bool>& skip, std::vector<Detection>& found);
+  void look(const TimedView& view, float margin);
+  // `before`: how many of those found are not of this picture's search.
+  void propose(const TimedView& view, const std::vector<bool>& skip, std::size_t before, std::vector<Detection>& found);
   bool prove(const TimedView& view, const Intrinsics& small, const ReadingPair& pair, Detection& detection);
   void note_explained(std::span<const Detection> detections);
   bool explained(const Chain& chain, const Detection& detection) const;
