@@ -9,7 +9,7 @@
 namespace onestroke {
 namespace {
 
-// Columns that are looked at, about.
+// Columns that are looked at coarsely, about.
 constexpr int columns = 400;
 // Of a row that proposes a pose, and of one that makes a thorough search worth its time.
 constexpr int min_links = 6;
@@ -21,8 +21,8 @@ constexpr int max_tries = 3;
 
 }  // namespace
 
-void QuickSearch::look(const TimedView& view, float margin) {
-  factor_ = std::max(1, view.image.width / columns);
+void QuickSearch::look(const TimedView& view, Detail detail, float margin) {
+  factor_ = std::max(1, view.image.width / columns / (detail == Detail::fine ? 2 : 1));
   segment(view.image, {.relative_margin = margin}, labels_, factor_);
   const int width = view.image.width / factor_, height = view.image.height / factor_;
   cell_finder_.find(labels_, width, height, {}, cells_);
@@ -30,11 +30,11 @@ void QuickSearch::look(const TimedView& view, float margin) {
   reader_.read(cells_, chains_, readings_);
 }
 
-void QuickSearch::find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
-                       std::vector<Detection>& found) {
+void QuickSearch::find(const TimedView& view, Detail detail, const std::vector<bool>& skip,
+                       const std::vector<Detection>& known, std::vector<Detection>& found) {
   const std::size_t before = found.size();
   for (const float margin : margins) {
-    look(view, margin);
+    look(view, detail, margin);
     explained_.assign(chains_.size(), false);
     note_explained(known);
     propose(view, skip, before, found);

@@ -18,16 +18,19 @@ class QuickSearch {
   QuickSearch(const QuickSearch&) = delete;
   QuickSearch& operator=(const QuickSearch&) = delete;
 
+  enum class Detail { coarse, fine };
+
   /// Markers whose index is flagged in `skip` are not looked for; those among them that are in this picture are
-  /// `known`. Appends the markers found.
-  void find(const TimedView& view, const std::vector<bool>& skip, const std::vector<Detection>& known,
+  /// `known`. Appends the markers found. `fine` looks at four times as many pixels, for rings that are too short for
+  /// the few.
+  void find(const TimedView& view, Detail detail, const std::vector<bool>& skip, const std::vector<Detection>& known,
             std::vector<Detection>& found);
   /// Where in the last picture rows of cells are left that no detection explains, pixels: a thorough search may find
   /// more.
   const std::vector<Vec2d>& unexplained() const { return unexplained_; }
 
  private:
-  void look(const TimedView& view, float margin);
+  void look(const TimedView& view, Detail detail, float margin);
   // `before`: how many of those found are not of this picture's search.
   void propose(const TimedView& view, const std::vector<bool>& skip, std::size_t before, std::vector<Detection>& found);
   bool prove(const TimedView& view, const Intrinsics& small, const ReadingPair& pair, Detection& detection);
