@@ -14,6 +14,7 @@ using Vector12d = Eigen::Matrix<double, 12, 1>;
 constexpr double min_common_sigma = 0.02;
 constexpr double ink_growth_sigma = 0.15, outline_growth_sigma = 0.05;
 
+constexpr int reweightings = 3;
 // Tukey's biweight at 95 % efficiency.
 constexpr double cutoff = 4.7;
 
@@ -40,7 +41,7 @@ class Solver {
                                                                        (outline_growth_sigma * outline_growth_sigma));
   }
 
-  bool solve(int reweightings) {
+  bool solve() {
     gather();
     for (int i = 0; i < reweightings; ++i) {
       weigh();
@@ -256,7 +257,7 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
     mean.segment<3>(6) = start.angular - fit.motion.angular;
     mean.tail<3>() = start.linear - fit.motion.linear;
     Solver<N> solver(set_, mean, information, memory_);
-    if (!solver.solve(options.reweightings)) return false;
+    if (!solver.solve()) return false;
     const auto& d = solver.delta();
     // A step of more than a quarter of a radian or 10 % of the distance is a step off the linear model.
     if (d.template head<3>().norm() > 0.25 || d.template segment<3>(3).norm() > 0.1 * fit.motion.pose.t.norm())

@@ -7,7 +7,7 @@ namespace onestroke {
 namespace {
 
 // As far as a hand may have brought the marker off its prediction, along the middle of the rod; then to the edges.
-constexpr std::array<LineOptions, 2> first_passes{{{10, 1000, 1, 1000, 2, 2, 2}, {4, 8, 3, 16, 1, 2}}};
+constexpr std::array<LineOptions, 2> first_passes{{{10, 1000, 1, 1000, 2, 2}, {4, 8, 3, 16, 1, 2}}};
 constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
 constexpr int max_settlings = 3;
 constexpr double settled_share = 0.68;
