@@ -1,21 +1,31 @@
 #include "tracking/appearance.h"
 
+#include "tracking/placed_rod.h"
+#include "tracking/sampling.h"
+
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <vector>
 
 namespace onestroke {
 namespace {
 
-constexpr std::array<double, 3> angles{-0.6, 0.0, 0.6};
+// Of the places across a cell where it is looked at, from the side that faces the eye: sines and cosines of 0.6
+// radians.
+constexpr std::array<double, 3> sines{-0.564642473395, 0, 0.564642473395};
+constexpr std::array<double, 3> cosines{0.825335614910, 1, 0.825335614910};
+
+// A surface seen at a flatter angle than this (cosine) shows gloss and what is behind.
+constexpr double min_facing = 0.1;
 
 // The middle of a cell's front in sight: its pixel, or false.
 bool front_in_sight(const ImageView& image, const Intrinsics& k, const RodModel& rod, const EigenPose& pose,
-                    const Vec3d& eye, int cell, double phi, Vec2d& pixel) {
+                    const Vec3d& eye, int cell, Vec2d& pixel) {
   const RodModel::Section& m = rod.middle(cell);
   Vec3d out;
-  const Vec3d x = rod.surface(m, eye, phi, &out);
-  if (out.dot((eye - x).normalized()) < 0.1) return false;
+  const Vec3d x = rod.surface(m, eye, 0, &out);
+  if (out.dot((eye - x).normalized()) < min_facing) return false;
   if (!project(k, pose * x, pixel) || !image.contains(pixel.x(), pixel.y())) return false;
   return !rod.hides_itself(m, x, eye);
 }
@@ -26,16 +36,22 @@ Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const Ro
                   const EigenPose& pose) {
   Appearance a;
   std::array<int, max_cells_per_marker> on_arm{}, arm_in_sight{};
+  const PlacedRod placed(rod, pose);
   const Vec3d eye = -pose.R.transpose() * pose.t;
   for (int c = 0; c < rod.cell_count(); ++c) {
+    const PlacedSection& here = placed.middle(c);
+    const bool whole = rod.shows_whole(rod.middle(c), eye);
     int seen = 0, agrees = 0, contradicts = 0;
     Vec2d front = Vec2d::Zero();
-    for (const double phi : angles) {
+    for (std::size_t i = 0; i < sines.size(); ++i) {
+      const Vec3d out = here.out(sines[i], cosines[i]), x = here.surface(rod.radius(), out);
       Vec2d pixel;
-      if (!front_in_sight(image, intrinsics, rod, pose, eye, c, phi, pixel)) continue;
-      if (phi == 0.0) front = pixel;
+      if (-out.dot(x) < min_facing * x.norm() || !project(intrinsics, x, pixel)) continue;
+      if (!image.contains(pixel.x(), pixel.y())) continue;
+      if (!whole && rod.hides_itself(rod.middle(c), pose.R.transpose() * (x - pose.t), eye)) continue;
+      if (sines[i] == 0) front = pixel;
       ++seen;
-      switch (inks.match(image.sample(pixel.x(), pixel.y()), rod.ink(c))) {
+      switch (inks.match(to_color(sample_lanes(image, pixel.x(), pixel.y())), rod.ink(c))) {
         case Inks::Match::agrees:
           ++agrees;
           break;
@@ -72,7 +88,7 @@ void complete_inks(const ImageView& image, const Intrinsics& intrinsics, const R
     std::array<std::vector<float>, 3> samples;
     for (int c = 0; c < rod.cell_count(); ++c) {
       Vec2d pixel;
-      if (rod.ink(c) != ink || !front_in_sight(image, intrinsics, rod, pose, eye, c, 0, pixel)) continue;
+      if (rod.ink(c) != ink || !front_in_sight(image, intrinsics, rod, pose, eye, c, pixel)) continue;
       const Color chroma = chromaticity(image.sample(pixel.x(), pixel.y()));
       for (std::size_t i = 0; i < 3; ++i) samples[i].push_back(chroma[static_cast<int>(i)]);
     }

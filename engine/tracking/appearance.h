@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/frame_record.h"
+#include "core/inline_vector.h"
 #include "tracking/image_view.h"
 #include "tracking/inks.h"
 #include "tracking/rod_model.h"
-
-#include <vector>
 
 namespace onestroke {
 
@@ -18,7 +17,7 @@ struct Appearance {
   int fewest_on_arm = 0;
   /// Smallest share of an arm's cells in sight that agree; arms with 4 or more in sight count.
   double weakest_share = 1;
-  std::vector<CellCentre> cells;  ///< Centres of the cells that agree, on the rod's front.
+  InlineVector<CellCentre, max_cells> cells;  ///< Centres of the cells that agree, on the rod's front.
 
   /// What speaks for the pose: a wrong ink costs four right ones; a cell that shows none, a quarter (a finger may cover
   /// it).

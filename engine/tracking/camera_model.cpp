@@ -74,12 +74,8 @@ Vec2d distort(const std::array<double, 5>& d, const Vec2d& n, Eigen::Matrix2d* j
 
 }  // namespace
 
-bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel) {
-  if (p.z() < 1.0) return false;
-  Vec2d n(p.x() / p.z(), p.y() / p.z());
-  if (k.distorted()) n = distort(k.distortion, n, nullptr);
-  pixel = {k.fx * n.x() + k.cx, k.fy * n.y() + k.cy};
-  return true;
+Vec2d distorted(const Intrinsics& k, const Vec2d& n) {
+  return distort(k.distortion, n, nullptr);
 }
 
 bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel, Eigen::Matrix<double, 2, 3>& d_pixel_d_point) {

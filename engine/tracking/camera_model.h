@@ -43,8 +43,18 @@ void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian);
 /// perturbed(). What the picture does not tell stays as uncertain as a turn of a radian and a shift of a metre.
 Eigen::Matrix<double, 6, 6> covariance_of(const Eigen::Matrix<double, 6, 6>& information);
 
+/// The image of a point at the depth 1, after the lens has distorted it.
+Vec2d distorted(const Intrinsics& k, const Vec2d& n);
+
 /// Pixel (centres at half-integers) of a point in camera axes; false behind the camera.
-bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel);
+inline bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel) {
+  if (p.z() < 1.0) return false;
+  const double iz = 1 / p.z();
+  Vec2d n(p.x() * iz, p.y() * iz);
+  if (k.distorted()) n = distorted(k, n);
+  pixel = {k.fx * n.x() + k.cx, k.fy * n.y() + k.cy};
+  return true;
+}
 
 /// As project, with the 2 x 3 derivative of the pixel by the point.
 bool project(const Intrinsics& k, const Vec3d& p, Vec2d& pixel, Eigen::Matrix<double, 2, 3>& d_pixel_d_point);

@@ -35,23 +35,31 @@ class CellFinder {
 
  private:
   struct Run {
-    int begin, end;
+    int begin, end, y;
     int region;
   };
   struct Region {
     int parent;
     std::uint8_t ink;
     int x0, y0, x1, y1;
-    double n, sx, sy, sxx, sxy, syy;
+    int area;
+    int cell;  // Its place among the cells, or -1.
+  };
+  // Sums over a cell's pixels.
+  struct Moments {
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    void add(const Run& run);
   };
   int root(int region);
   void merge(int a, int b);
-  int new_region(std::uint8_t ink);
   void scan_row(const std::uint8_t* row, int y, int width);
+  void choose(double limit, int min_area, std::vector<Cell>& cells);
 
-  std::vector<Run> previous_, current_;
-  std::vector<std::uint8_t> previous_ink_;
+  std::vector<int> ends_;
+  std::vector<Run> runs_;
+  std::size_t row_above_ = 0;  // Where the runs of the row above begin.
   std::vector<Region> regions_;
+  std::vector<Moments> moments_;
 };
 
 }  // namespace onestroke

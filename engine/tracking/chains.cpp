@@ -8,13 +8,20 @@ namespace {
 
 constexpr double grid_size = 32;
 
+}  // namespace
+
 // Cells lie `steps` positions apart on one row: both are wider than long across the line that joins them, of like
 // width, and the distance fits the lengths. Touching cells differ in ink.
-bool fits(const Cell& a, const Cell& b, int steps) {
+bool ChainFinder::fits(const std::vector<Cell>& cells, int first, int second, int steps) const {
+  const Cell &a = cells[static_cast<std::size_t>(first)], &b = cells[static_cast<std::size_t>(second)];
   if (steps == 1 && a.ink == b.ink) return false;
   const Eigen::Vector2d v = b.centre - a.centre;
-  const double d = v.norm();
-  if (d < 1) return false;
+  const double square = v.squaredNorm();
+  const double most =
+      steps *
+      (0.95 * std::max(longest_[static_cast<std::size_t>(first)], longest_[static_cast<std::size_t>(second)]) + 1.5);
+  if (square < 1 || square > most * most) return false;
+  const double d = std::sqrt(square);
   const Eigen::Vector2d u = v / d, n(-u.y(), u.x());
   const double wa = a.extent(n), wb = b.extent(n), la = a.extent(u), lb = b.extent(u);
   if (wa > 1.8 * wb + 1 || wb > 1.8 * wa + 1) return false;
@@ -24,13 +31,6 @@ bool fits(const Cell& a, const Cell& b, int steps) {
   const double mean = (la + lb) / 2;
   return d > 0.5 * mean - 0.5 && d < 1.5 * mean + 1.5;
 }
-
-}  // namespace
-
-struct ChainFinder::Walk {
-  std::vector<Chain::Link> links;
-  Eigen::Vector2d step;  // One position along the row, pixels.
-};
 
 void ChainFinder::build_grid(const std::vector<Cell>& cells, int width, int height) {
   grid_width_ = static_cast<int>(width / grid_size) + 1;
@@ -75,15 +75,15 @@ void ChainFinder::grow(const std::vector<Cell>& cells, const ChainOptions& optio
       near(expected, tolerance, [&](int k) {
         if (k == last.cell) return;
         const Cell& c = cells[static_cast<std::size_t>(k)];
-        const double cost = (c.centre - expected).norm() / tolerance;
-        if (cost < best_cost && fits(from, c, steps)) {
+        const double cost = (c.centre - expected).squaredNorm() / (tolerance * tolerance);
+        if (cost < best_cost && fits(cells, last.cell, k, steps)) {
           best_cost = cost;
           best = k;
           best_steps = steps;
         }
       });
     }
-    if (best < 0) return;
+    if (best < 0 || walk.links.full()) return;
     for (const Chain::Link& l : walk.links)
       if (l.cell == best) return;
     const Eigen::Vector2d seen = (cells[static_cast<std::size_t>(best)].centre - from.centre) / best_steps;
@@ -96,21 +96,22 @@ void ChainFinder::grow(const std::vector<Cell>& cells, const ChainOptions& optio
 void ChainFinder::seed(const std::vector<Cell>& cells, int first, const ChainOptions& options,
                        std::vector<Chain>& chains) {
   const Cell& a = cells[static_cast<std::size_t>(first)];
-  const double reach = 2 * std::sqrt(12 * a.covariance.trace()) + 4;
-  std::vector<std::pair<int, int>> partners;
+  const double reach = 2 * longest_[static_cast<std::size_t>(first)] + 4;
+  partners_.clear();
   near(a.centre, reach, [&](int k) {
     if (k == first) return;
     for (int steps = 1; steps <= 2; ++steps)
-      if (fits(a, cells[static_cast<std::size_t>(k)], steps)) {
-        partners.emplace_back(steps, k);
+      if (fits(cells, first, k, steps)) {
+        partners_.emplace_back(steps, k);
         break;
       }
   });
-  std::sort(partners.begin(), partners.end());
+  std::sort(partners_.begin(), partners_.end());
   Walk best;
-  for (const auto& [steps, k] : partners) {
+  for (const auto& [steps, k] : partners_) {
     Walk walk;
-    walk.links = {{first, 0}, {k, steps}};
+    walk.links.push_back({first, 0});
+    walk.links.push_back({k, steps});
     walk.step = (cells[static_cast<std::size_t>(k)].centre - a.centre) / steps;
     grow(cells, options, walk);
     // Turn round and grow the other end.
@@ -122,22 +123,22 @@ void ChainFinder::seed(const std::vector<Cell>& cells, int first, const ChainOpt
     walk.step = (cells[static_cast<std::size_t>(q.cell)].centre - cells[static_cast<std::size_t>(p.cell)].centre) /
                 (q.position - p.position);
     grow(cells, options, walk);
-    if (walk.links.size() > best.links.size()) best = std::move(walk);
+    if (walk.links.size() > best.links.size()) best = walk;
   }
   if (static_cast<int>(best.links.size()) < options.min_cells) return;
-  Chain chain;
-  chain.links = std::move(best.links);
-  std::vector<double> widths;
+  Chain& chain = chains.emplace_back();
+  chain.links = best.links;
+  widths_.clear();
   const Eigen::Vector2d along = (cells[static_cast<std::size_t>(chain.links.back().cell)].centre -
                                  cells[static_cast<std::size_t>(chain.links.front().cell)].centre)
                                     .normalized();
   for (const Chain::Link& l : chain.links) {
     in_chain_[static_cast<std::size_t>(l.cell)] = 1;
-    widths.push_back(cells[static_cast<std::size_t>(l.cell)].extent({-along.y(), along.x()}));
+    widths_.push_back(cells[static_cast<std::size_t>(l.cell)].extent({-along.y(), along.x()}));
   }
-  std::nth_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2), widths.end());
-  chain.width = widths[widths.size() / 2];
-  chains.push_back(std::move(chain));
+  const auto middle = widths_.begin() + static_cast<std::ptrdiff_t>(widths_.size() / 2);
+  std::nth_element(widths_.begin(), middle, widths_.end());
+  chain.width = *middle;
 }
 
 void ChainFinder::find(const std::vector<Cell>& cells, int width, int height, const ChainOptions& options,
@@ -145,6 +146,8 @@ void ChainFinder::find(const std::vector<Cell>& cells, int width, int height, co
   chains.clear();
   build_grid(cells, width, height);
   in_chain_.assign(cells.size(), 0);
+  longest_.clear();
+  for (const Cell& c : cells) longest_.push_back(std::sqrt(12 * c.covariance.trace()));
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (!in_chain_[i]) seed(cells, static_cast<int>(i), options, chains);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/inline_vector.h"
 #include "tracking/cells.h"
 
+#include <utility>
 #include <vector>
 
 namespace onestroke {
@@ -13,7 +15,8 @@ struct Chain {
     int cell;      ///< Index into the cells given.
     int position;  ///< 0 at the row's first cell, rising.
   };
-  std::vector<Link> links;
+  using Links = InlineVector<Link, 96>;
+  Links links;
   double width = 0;  ///< Median width of the rod across the row, pixels.
   /// Of a row joined from pieces: the link that begins each piece but the first.
   std::vector<int> joints;
@@ -35,16 +38,23 @@ class ChainFinder {
             std::vector<Chain>& chains);
 
  private:
-  struct Walk;
+  struct Walk {
+    Chain::Links links;
+    Eigen::Vector2d step;  // One position along the row, pixels.
+  };
   void build_grid(const std::vector<Cell>& cells, int width, int height);
   template <typename Visit>
   void near(const Eigen::Vector2d& centre, double radius, Visit visit) const;
+  bool fits(const std::vector<Cell>& cells, int a, int b, int steps) const;
   void grow(const std::vector<Cell>& cells, const ChainOptions& options, Walk& walk) const;
   void seed(const std::vector<Cell>& cells, int first, const ChainOptions& options, std::vector<Chain>& chains);
 
   int grid_width_ = 0, grid_height_ = 0;
   std::vector<int> grid_start_, grid_cells_;
   std::vector<std::uint8_t> in_chain_;
+  std::vector<double> longest_;  // No cell is wider or longer than this, pixels.
+  std::vector<std::pair<int, int>> partners_;
+  std::vector<double> widths_;
 };
 
 }  // namespace onestroke

@@ -2,30 +2,40 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <tuple>
 
 namespace onestroke {
 namespace {
 
 constexpr int min_score = 4;
+// First cells that are told apart where alignments are: more than a chain and a code are long together.
+constexpr std::size_t firsts = 512;
 
 // The best stretch of one alignment (Kadane's algorithm).
 Reading best_stretch(const Cells& code, const std::vector<Cell>& cells, const Chain& chain, const Reading& alignment) {
-  Reading best = alignment, run = alignment;
-  const int n = static_cast<int>(code.size());
-  for (int i = 0; i < static_cast<int>(chain.links.size()); ++i) {
+  Reading best = alignment;
+  const int n = static_cast<int>(code.size()), links = static_cast<int>(chain.links.size());
+  int begin = 0, agree = 0, contradict = 0, score = 0, best_score = 0;
+  for (int i = 0; i < links; ++i) {
     const Chain::Link& l = chain.links[static_cast<std::size_t>(i)];
     const int cell = alignment.cell_of(l.position);
     const bool agrees =
         cell >= 0 && cell < n &&
         cells[static_cast<std::size_t>(l.cell)].ink == static_cast<std::uint8_t>(code[static_cast<std::size_t>(cell)]);
-    if (run.score() <= 0 || run.end == run.begin) {
-      run = alignment;
-      run.begin = run.end = i;
+    if (score <= 0) {
       if (!agrees) continue;
+      begin = i;
+      agree = contradict = score = 0;
     }
-    ++(agrees ? run.agree : run.contradict);
-    run.end = i + 1;
-    if (agrees && run.score() > best.score()) best = run;
+    ++(agrees ? agree : contradict);
+    score += agrees ? 1 : -3;
+    if (score <= best_score) continue;
+    best_score = score;
+    best.begin = begin;
+    best.end = i + 1;
+    best.agree = agree;
+    best.contradict = contradict;
   }
   return best;
 }
@@ -39,7 +49,7 @@ bool spans_joints(const Reading& r, const Chain& chain) {
 // anything.
 constexpr int clear_margin = 4;
 
-bool outdone(const Reading& r, const std::vector<Reading>& better) {
+bool outdone(const Reading& r, std::span<const Reading> better) {
   return std::any_of(better.begin(), better.end(), [&](const Reading& q) {
     const int shared = std::min(q.end, r.end) - std::max(q.begin, r.begin);
     return q.chain == r.chain && q.score() >= r.score() + clear_margin && 10 * shared >= 7 * (r.end - r.begin);
@@ -61,6 +71,7 @@ CodeWindows::CodeWindows(const Catalog& catalog) {
   std::size_t keys = 1;
   for (int i = 0; i < length; ++i) keys *= 3;
   places_.resize(keys);
+  added_.resize(catalog.markers.size() * 2 * firsts);
   for (std::size_t m = 0; m < catalog.markers.size(); ++m) {
     const Cells& code = catalog.markers[m].cells;
     const int n = static_cast<int>(code.size());
@@ -75,8 +86,9 @@ CodeWindows::CodeWindows(const Catalog& catalog) {
   }
 }
 
-void CodeWindows::align(const std::vector<Cell>& cells, const Chain& chain, std::vector<Reading>& alignments) const {
+void CodeWindows::align(const std::vector<Cell>& cells, const Chain& chain, std::vector<Reading>& alignments) {
   alignments.clear();
+  ++chain_;
   for (std::size_t i = 0; i < chain.links.size(); ++i) {
     const int begin = chain.links[i].position;
     if (begin + length > chain.length()) return;
@@ -92,7 +104,7 @@ void CodeWindows::align(const std::vector<Cell>& cells, const Chain& chain, std:
 
 // Tries every ink for cells that are not seen.
 void CodeWindows::align_run(const std::array<int, length>& run, std::size_t done, std::size_t key, int begin,
-                            std::vector<Reading>& alignments) const {
+                            std::vector<Reading>& alignments) {
   if (done == run.size()) {
     for (const Place& p : places_[key]) add(p, begin, alignments);
     return;
@@ -107,24 +119,34 @@ void CodeWindows::add(const Place& p, int begin, std::vector<Reading>& alignment
   r.marker = p.marker;
   r.direction = p.direction;
   r.first = p.first - p.direction * begin;
-  const bool known = std::any_of(alignments.begin(), alignments.end(), [&](const Reading& a) {
-    return a.marker == r.marker && a.direction == r.direction && a.first == r.first;
-  });
-  if (!known) alignments.push_back(r);
+  const auto way = static_cast<std::size_t>(2 * p.marker + (p.direction > 0 ? 1 : 0));
+  std::uint32_t& last = added_[way * firsts + static_cast<std::size_t>(r.first + static_cast<int>(firsts)) % firsts];
+  if (last == chain_) return;
+  last = chain_;
+  alignments.push_back(r);
 }
 
-std::vector<Reading> read_chains(const Catalog& catalog, const CodeWindows& windows, const std::vector<Cell>& cells,
-                                 const std::vector<Chain>& chains) {
-  std::vector<Reading> readings, alignments;
+void QuickReader::read(const std::vector<Cell>& cells, const std::vector<Chain>& chains,
+                       std::vector<Reading>& readings) {
+  readings.clear();
+  const auto by_score = [](const Reading& a, const Reading& b) {
+    return std::tuple(-a.score(), a.chain, a.marker, a.direction, a.first) <
+           std::tuple(-b.score(), b.chain, b.marker, b.direction, b.first);
+  };
   for (std::size_t c = 0; c < chains.size(); ++c) {
-    windows.align(cells, chains[c], alignments);
-    for (Reading& a : alignments) {
+    windows_.align(cells, chains[c], alignments_);
+    of_chain_.clear();
+    for (Reading& a : alignments_) {
       a.chain = static_cast<int>(c);
-      const Reading r = best_stretch(catalog.markers[static_cast<std::size_t>(a.marker)].cells, cells, chains[c], a);
-      if (r.score() >= min_score) readings.push_back(r);
+      const Reading r = best_stretch(catalog_.markers[static_cast<std::size_t>(a.marker)].cells, cells, chains[c], a);
+      if (r.score() >= min_score) of_chain_.push_back(r);
     }
+    std::sort(of_chain_.begin(), of_chain_.end(), by_score);
+    const auto first = static_cast<std::ptrdiff_t>(readings.size());
+    for (const Reading& r : of_chain_)
+      if (!outdone(r, {readings.begin() + first, readings.end()})) readings.push_back(r);
   }
-  return best_of(std::move(readings));
+  std::sort(readings.begin(), readings.end(), by_score);
 }
 
 std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>& cells,

@@ -31,7 +31,7 @@ class CodeWindows {
 
   /// The alignments of a chain (Reading with nothing but marker, first and direction) under which one of its runs of
   /// six cells agrees, two of them unseen at most; each once.
-  void align(const std::vector<Cell>& cells, const Chain& chain, std::vector<Reading>& alignments) const;
+  void align(const std::vector<Cell>& cells, const Chain& chain, std::vector<Reading>& alignments);
 
  private:
   static constexpr int length = 6, max_unseen = 2;
@@ -39,10 +39,13 @@ class CodeWindows {
     int marker, first, direction;
   };
   void align_run(const std::array<int, length>& run, std::size_t done, std::size_t key, int begin,
-                 std::vector<Reading>& alignments) const;
-  static void add(const Place& place, int begin, std::vector<Reading>& alignments);
+                 std::vector<Reading>& alignments);
+  void add(const Place& place, int begin, std::vector<Reading>& alignments);
 
   std::vector<std::vector<Place>> places_;  // By the run's inks as a number to the base of 3.
+  // The chain, counted, to which each alignment was last added: by marker, direction and first cell.
+  std::vector<std::uint32_t> added_;
+  std::uint32_t chain_ = 0;
 };
 
 /// The readings of every chain, best first. A chain may be cut at both ends, may run past a tip or round a corner and
@@ -50,8 +53,19 @@ class CodeWindows {
 /// one that contradicts costs three. A reading that another clearly outdoes on the same links is left out.
 std::vector<Reading> read_chains(const Catalog& catalog, const std::vector<Cell>& cells,
                                  const std::vector<Chain>& chains);
-/// The same of such alignments only as CodeWindows finds.
-std::vector<Reading> read_chains(const Catalog& catalog, const CodeWindows& windows, const std::vector<Cell>& cells,
-                                 const std::vector<Chain>& chains);
+/// The same of such alignments only as CodeWindows finds. Keeps its memory between pictures; used by one thread at a
+/// time.
+class QuickReader {
+ public:
+  /// The catalogue is borrowed.
+  explicit QuickReader(const Catalog& catalog) : catalog_(catalog), windows_(catalog) {}
+
+  void read(const std::vector<Cell>& cells, const std::vector<Chain>& chains, std::vector<Reading>& readings);
+
+ private:
+  const Catalog& catalog_;
+  CodeWindows windows_;
+  std::vector<Reading> alignments_, of_chain_;
+};
 
 }  // namespace onestroke

@@ -28,11 +28,13 @@ struct ImageView {
     const std::uint8_t* p = at(x0, y0);
     const std::uint8_t* q = p + (y0 + 1 < height ? stride : 0);
     const int right = x0 + 1 < width ? 3 : 0;
-    const float w00 = (1 - fx) * (1 - fy), w10 = fx * (1 - fy), w01 = (1 - fx) * fy, w11 = fx * fy;
     Color c;
-    for (int i = 0; i < 3; ++i)
-      c[i] = w00 * static_cast<float>(p[i]) + w10 * static_cast<float>(p[right + i]) + w01 * static_cast<float>(q[i]) +
-             w11 * static_cast<float>(q[right + i]);
+    for (int i = 0; i < 3; ++i) {
+      const auto p0 = static_cast<float>(p[i]), q0 = static_cast<float>(q[i]);
+      const float above = p0 + fx * (static_cast<float>(p[right + i]) - p0);
+      const float below = q0 + fx * (static_cast<float>(q[right + i]) - q0);
+      c[i] = above + fy * (below - above);
+    }
     return c;
   }
 };

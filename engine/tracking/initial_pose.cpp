@@ -15,12 +15,14 @@ namespace {
 // mean over the projected width.
 Vec3d seen_centre(const RodModel& rod, int cell, const Vec3d& eye) {
   const RodModel::Section& m = rod.middle(cell);
-  return m.centre + 0.785 * (rod.surface(m, eye, 0) - m.centre);
+  const Vec3d view = eye - m.centre, front = view - m.tangent * view.dot(m.tangent);
+  // Where the eye looks down the axis no side faces it.
+  return m.centre + 0.785 * rod.radius() / std::max(front.norm(), 1e-9) * front;
 }
 
 }  // namespace
 
-bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, bool one_arm,
+bool fit_cells(const Intrinsics& k, const RodModel& rod, std::span<const CellPoint> points, bool one_arm,
                PoseGuess& guess) {
   using Vector6d = Eigen::Matrix<double, 6, 1>;
 
@@ -41,9 +43,11 @@ bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellP
       for (int row = 0; row < 2; ++row) {
         const Vec3d g = by_point.row(row).transpose();
         Vector6d j;
-        j << arm.cross(g), g;
-        hessian += w * j * j.transpose();
-        gradient += w * j * error[row];
+        j.head<3>() = arm.cross(g);
+        j.tail<3>() = g;
+        const Vector6d weighted = w * j;
+        for (int c = 0; c < 6; ++c) hessian.col(c) += j[c] * weighted;
+        gradient += weighted * error[row];
       }
       square += error.squaredNorm();
     }
@@ -114,6 +118,56 @@ std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod
     if (fit_cells(k, rod, points, false, g)) guesses.push_back(g);
   }
   std::sort(guesses.begin(), guesses.end(), [](const PoseGuess& a, const PoseGuess& b) { return a.rms < b.rms; });
+  return guesses;
+}
+
+InlineVector<PoseGuess, 2> poses_in_weak_perspective(const Intrinsics& k, const RodModel& rod,
+                                                     std::span<const CellPoint> points) {
+  InlineVector<PoseGuess, 2> guesses;
+  if (points.size() < 4) return guesses;
+  const auto n = static_cast<double>(points.size());
+  Vec3d mean = Vec3d::Zero();
+  Vec2d ray = Vec2d::Zero();
+  for (const CellPoint& p : points) {
+    mean += rod.middle(p.cell).centre / n;
+    ray += unproject(k, p.pixel) / n;
+  }
+  // Axes in which the rod's plane lies square to the third, and the mean ray is the line of sight.
+  Mat3d plane;
+  plane.col(2) = rod.plane_normal();
+  plane.col(0) = plane.col(2).unitOrthogonal();
+  plane.col(1) = plane.col(2).cross(plane.col(0));
+  const Mat3d sight = Eigen::Quaterniond::FromTwoVectors(Vec3d(ray.x(), ray.y(), 1), Vec3d::UnitZ()).toRotationMatrix();
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(), seen = spread;
+  Vec2d middle = Vec2d::Zero();
+  for (const CellPoint& p : points) {
+    const Vec2d on = (plane.transpose() * (rod.middle(p.cell).centre - mean)).head<2>(), u = unproject(k, p.pixel);
+    const Vec3d q = sight * Vec3d(u.x(), u.y(), 1);
+    const Vec2d at = q.head<2>() / q.z();
+    middle += at / n;
+    spread += on * on.transpose();
+    seen += at * on.transpose();
+  }
+  // Points on one line leave the other direction open.
+  if (spread.determinant() < 1e-4 * spread.trace() * spread.trace()) return guesses;
+  const Eigen::Matrix2d map = seen * spread.inverse();
+  const double aa = map.col(0).squaredNorm(), bb = map.col(1).squaredNorm(), ab = map.col(0).dot(map.col(1));
+  const double scale = std::sqrt((aa + bb + std::sqrt((aa - bb) * (aa - bb) + 4 * ab * ab)) / 2);
+  if (!(scale > 1e-9)) return guesses;
+  const double za = std::sqrt(std::max(0.0, 1 - aa / (scale * scale)));
+  const double zb = std::copysign(std::sqrt(std::max(0.0, 1 - bb / (scale * scale))), -ab);
+  for (const double sign : {1.0, -1.0}) {
+    Mat3d turned;
+    turned.col(0) = Vec3d(map(0, 0) / scale, map(1, 0) / scale, sign * za).normalized();
+    const Vec3d b(map(0, 1) / scale, map(1, 1) / scale, sign * zb);
+    turned.col(2) = turned.col(0).cross(b).normalized();
+    turned.col(1) = turned.col(2).cross(turned.col(0));
+    PoseGuess g;
+    g.pose.R = sight.transpose() * turned * plane.transpose();
+    g.pose.t = sight.transpose() * Vec3d(middle.x(), middle.y(), 1) / scale - g.pose.R * mean;
+    if (g.pose.t.allFinite() && fit_cells(k, rod, points, false, g)) guesses.push_back(g);
+  }
+  if (guesses.size() == 2 && guesses[1].rms < guesses[0].rms) std::swap(guesses[0], guesses[1]);
   return guesses;
 }
 

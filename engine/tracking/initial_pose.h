@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/inline_vector.h"
 #include "tracking/rod_model.h"
 
+#include <span>
 #include <vector>
 
 namespace onestroke {
@@ -22,12 +24,18 @@ struct PoseGuess {
 /// first; empty where the points do not determine a pose.
 std::vector<PoseGuess> poses_from_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points);
 
+/// The same without OpenCV and without allocation, for a look at many places: both tilts under which the plane of the
+/// rod, seen in weak perspective along the points' mean ray, looks as it does (DeMenthon and Davis, 1995; Ullman,
+/// 1979), fitted to the front surface of the rings.
+InlineVector<PoseGuess, 2> poses_in_weak_perspective(const Intrinsics& k, const RodModel& rod,
+                                                     std::span<const CellPoint> points);
+
 /// Poses from cells of one straight arm: place and direction are fitted from several tilts, the roll about the arm is
 /// arbitrary. Best first.
 std::vector<PoseGuess> poses_from_row(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points);
 
 /// Least squares over gravity centres from a start; with one_arm the roll about it stays. False where it diverges.
-bool fit_cells(const Intrinsics& k, const RodModel& rod, const std::vector<CellPoint>& points, bool one_arm,
+bool fit_cells(const Intrinsics& k, const RodModel& rod, std::span<const CellPoint> points, bool one_arm,
                PoseGuess& guess);
 
 }  // namespace onestroke

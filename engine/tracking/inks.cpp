@@ -14,27 +14,27 @@ float Inks::variance(float noise) const {
 }
 
 Inks::Match Inks::match(const Color& color, int expected) const {
+  const float sum = color.sum();
   // Below this sum the chromaticity is noise.
-  if (color.sum() < 12) return Match::unknown;
+  if (sum < 12) return Match::unknown;
   const Color c = chromaticity(color);
   int nearest = -1;
-  float best = 1e9F, expected_distance = 1e9F;
+  float best = 1e9F;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (!known[k]) continue;
-    const float d = (c - chroma[k]).matrix().norm();
-    if (i == expected) expected_distance = d;
-    if (d < best) {
-      best = d;
-      nearest = i;
-    }
+    const Color off = c - chroma[k];
+    const float square = off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
+    if (square >= best) continue;
+    best = square;
+    nearest = i;
   }
   if (nearest < 0) return Match::unknown;
   // Blur and veiling light pull a cell towards its neighbours and towards grey, hence the wider reach for the expected
   // ink.
-  if (nearest == expected && expected_distance < 0.6F * separation) return Match::agrees;
-  if (nearest != expected && best < 0.4F * separation) return Match::contradicts;
-  return Match::unknown;
+  const float reach = (nearest == expected ? 0.6F : 0.4F) * separation;
+  if (best >= reach * reach) return Match::unknown;
+  return nearest == expected ? Match::agrees : Match::contradicts;
 }
 
 void InkSamples::add(int ink, const Color& color) {

@@ -3,12 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace onestroke {
 namespace {
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
-using Growth = Eigen::Matrix<double, growths, 1>;
 
 // Standard deviations of the growths, pixels.
 constexpr double min_common_sigma = 0.02;
@@ -24,15 +24,6 @@ double tukey(double u) {
   return v * v;
 }
 
-// Derivative of an edge's offset by the perturbation of pose and velocity.
-Vector12d derivative(const LineMeasurement& m) {
-  Vector12d j;
-  j.head<3>() = m.arm.cross(m.by_point);
-  j.segment<3>(3) = m.by_point;
-  j.tail<6>() = m.seconds * j.head<6>();
-  return j;
-}
-
 // One pass's measurements, solved for N of the 12 unknowns and for the growths.
 template <int N>
 class Solver {
@@ -40,11 +31,9 @@ class Solver {
   static constexpr int all = N + growths;
   using Vector = Eigen::Matrix<double, all, 1>;
   using Matrix = Eigen::Matrix<double, all, all>;
-  using Part = Eigen::Matrix<double, N, 1>;
 
-  Solver(const LineSet& set, const Vector12d& prior_mean, const Vector12d& prior_information,
-         std::vector<double>& scratch)
-      : set_(set), scratch_(scratch) {
+  Solver(const LineSet& set, const Vector12d& prior_mean, const Vector12d& prior_information, LineMemory& memory)
+      : set_(set), memory_(memory) {
     mean_.template head<N>() = prior_mean.head<N>();
     information_.template head<N>() = prior_information.head<N>();
     information_.template segment<outline_growth>(N).setConstant(1 / (ink_growth_sigma * ink_growth_sigma));
@@ -58,7 +47,9 @@ class Solver {
       weigh();
       accumulate();
       if (ring_weight_ < 6) return false;
-      delta_ = hessian_.ldlt().solve(gradient_);
+      const Eigen::LLT<Matrix, Eigen::Lower> factors(hessian_);
+      if (factors.info() != Eigen::Success) return false;
+      delta_ = factors.solve(gradient_);
       if (!delta_.allFinite()) return false;
     }
     return true;
@@ -72,10 +63,11 @@ class Solver {
   Eigen::Matrix<double, N, N> covariance() const {
     // Growths and velocity have priors, so that only a pose may be badly determined.
     constexpr int rest = all - 6;
-    const auto other = hessian_.template bottomRightCorner<rest, rest>().ldlt();
-    const Eigen::Matrix<double, 6, rest> mixed = hessian_.template topRightCorner<6, rest>();
+    const Matrix information = hessian_.template selfadjointView<Eigen::Lower>();
+    const auto other = information.template bottomRightCorner<rest, rest>().ldlt();
+    const Eigen::Matrix<double, 6, rest> mixed = information.template topRightCorner<6, rest>();
     const Eigen::Matrix<double, rest, 6> by_pose = other.solve(mixed.transpose());
-    const Matrix6d pose = covariance_of(hessian_.template topLeftCorner<6, 6>() - mixed * by_pose);
+    const Matrix6d pose = covariance_of(information.template topLeftCorner<6, 6>() - mixed * by_pose);
     Eigen::Matrix<double, N, N> whole;
     whole.template topLeftCorner<6, 6>() = pose;
     if constexpr (N > 6) {
@@ -91,110 +83,137 @@ class Solver {
   }
 
  private:
-  // The lines of one ring edge, which follow one another, or those of the outline beside one cell.
-  struct Group {
-    std::size_t first, last;
-    bool ring;
-    double effect = 0;  // By which all of them are off alike, pixels.
-    double weight = 1;
-  };
+  using Group = LineMemory::Group;
+  // A line as a row of the system: the derivatives of its offset by the unknowns, the offset, and by_growth.
+  static constexpr int width = N + 2, at_offset = N, at_growth = N + 1;
+  using Row = Eigen::Matrix<double, width, 1>;
+
+  Row row(std::size_t i) const { return Eigen::Map<const Row>(memory_.rows.data() + i * width); }
 
   void gather() {
-    groups_.clear();
-    derivatives_.resize(set_.lines.size());
-    for (std::size_t i = 0; i < derivatives_.size(); ++i) derivatives_[i] = derivative(set_.lines[i]).head<N>();
+    memory_.groups.clear();
+    memory_.rows.resize(set_.lines.size() * width);
     for (std::size_t i = 0; i < set_.lines.size(); ++i) {
       const LineMeasurement& m = set_.lines[i];
+      Eigen::Map<Row> r(memory_.rows.data() + i * width);
+      r.template head<6>() = m.by_pose;
+      if constexpr (N == 12) r.template segment<6>(6) = m.seconds * m.by_pose;
+      r[at_offset] = m.offset;
+      r[at_growth] = m.by_growth;
       const bool same = i > 0 && set_.lines[i - 1].cell == m.cell && set_.lines[i - 1].ring() == m.ring();
-      if (!same) groups_.push_back({i, i, m.ring()});
-      groups_.back().last = i + 1;
+      if (!same) memory_.groups.push_back({i, i, m.ring()});
+      memory_.groups.back().last = i + 1;
     }
   }
 
   double residual(std::size_t i) const {
-    const LineMeasurement& m = set_.lines[i];
-    return m.offset - derivatives_[i].dot(delta_.template head<N>()) - m.by_growth * delta_[N + m.growth];
+    const Row r = row(i);
+    return r[at_offset] - r.template head<N>().dot(delta_.template head<N>()) -
+           r[at_growth] * delta_[N + set_.lines[i].growth];
   }
 
   // Of what was gathered; there must be something.
   double median() {
-    const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
-    std::nth_element(scratch_.begin(), middle, scratch_.end());
+    const auto middle = memory_.scratch.begin() + static_cast<std::ptrdiff_t>(memory_.scratch.size() / 2);
+    std::nth_element(memory_.scratch.begin(), middle, memory_.scratch.end());
     return *middle;
   }
 
   // 1.4826 times the median of absolute values: the standard deviation, outliers aside.
-  double spread() { return scratch_.empty() ? 0 : 1.4826 * median(); }
+  double spread() { return memory_.scratch.empty() ? 0 : 1.4826 * median(); }
 
   void weigh() {
-    residuals_.resize(set_.lines.size());
-    for (std::size_t i = 0; i < residuals_.size(); ++i) residuals_[i] = residual(i);
+    memory_.residuals.resize(set_.lines.size());
+    for (std::size_t i = 0; i < memory_.residuals.size(); ++i) memory_.residuals[i] = residual(i);
     for (const bool ring : {true, false}) {
-      for (Group& g : groups_)
+      for (Group& g : memory_.groups)
         if (g.ring == ring) g.effect = median_effect(g);
-      scratch_.clear();
-      for (const Group& g : groups_)
-        if (g.ring == ring) scratch_.push_back(std::abs(g.effect));
+      memory_.scratch.clear();
+      for (const Group& g : memory_.groups)
+        if (g.ring == ring) memory_.scratch.push_back(std::abs(g.effect));
       Scatter& s = ring ? ring_ : outline_;
       s.common = std::max(min_common_sigma, spread());
-      for (Group& g : groups_)
+      for (Group& g : memory_.groups)
         if (g.ring == ring) g.weight = tukey(g.effect / (cutoff * s.common));
-      scratch_.clear();
-      for (const Group& g : groups_)
+      memory_.scratch.clear();
+      for (const Group& g : memory_.groups)
         if (g.ring == ring)
           for (std::size_t i = g.first; i < g.last; ++i) {
             const LineMeasurement& m = set_.lines[i];
-            scratch_.push_back(std::abs(residuals_[i] - m.by_growth * g.effect) / m.sigma);
+            memory_.scratch.push_back(std::abs(memory_.residuals[i] - m.by_growth * g.effect) / m.sigma);
           }
       s.single = std::max(1.0, spread());
     }
   }
 
   double median_effect(const Group& g) {
-    scratch_.clear();
-    for (std::size_t i = g.first; i < g.last; ++i) scratch_.push_back(residuals_[i] / set_.lines[i].by_growth);
+    memory_.scratch.clear();
+    for (std::size_t i = g.first; i < g.last; ++i)
+      memory_.scratch.push_back(memory_.residuals[i] / set_.lines[i].by_growth);
     return median();
   }
 
   void accumulate() {
-    hessian_ = information_.asDiagonal();
-    gradient_ = information_.cwiseProduct(mean_);
+    squares_.setZero();
+    by_growth_.setZero();
+    growth_.setZero();
     ring_weight_ = ring_square_ = 0;
     support_.fill(0);
-    for (const Group& g : groups_)
+    for (const Group& g : memory_.groups)
       if (g.weight > 0) add(g);
-    hessian_ = hessian_.template selfadjointView<Eigen::Lower>();
+    hessian_.template topLeftCorner<N, N>() = squares_.template topLeftCorner<N, N>();
+    hessian_.template bottomLeftCorner<growths, N>() = by_growth_.template topRows<N>().transpose();
+    hessian_.template bottomRightCorner<growths, growths>() = growth_;
+    hessian_.diagonal() += information_;
+    gradient_.template head<N>() = squares_.row(at_offset).template head<N>().transpose();
+    gradient_.template tail<growths>() = by_growth_.row(at_offset).transpose();
+    gradient_ += information_.cwiseProduct(mean_);
+  }
+
+  // Adds a times b's transpose to the lower triangle of the squares, by pairs of columns.
+  void add_squares(const Row& a, const Row& b) {
+    const auto add_pair = [&]<int C>(std::integral_constant<int, C>) {
+      squares_.col(C).template tail<width - C>() += b[C] * a.template tail<width - C>();
+      squares_.col(C + 1).template tail<width - C>() += b[C + 1] * a.template tail<width - C>();
+    };
+    [&]<int... C>(std::integer_sequence<int, C...>) {
+      (add_pair(std::integral_constant<int, 2 * C>{}), ...);
+    }
+    (std::make_integer_sequence<int, width / 2>{});
   }
 
   // What a group is off by as a whole is one more unknown, normal about 0, eliminated here (Schur's complement).
   void add(const Group& g) {
     const Scatter& s = g.ring ? ring_ : outline_;
-    Vector along = Vector::Zero();
-    double square = 1 / (s.common * s.common), offset = 0;
+    // A ring edge has one pair of inks, the outline beside a cell two sides: what their lines say by their growth.
+    std::array<Row, 2> sides{Row::Zero(), Row::Zero()};
+    const int growth = set_.lines[g.first].growth;
+    const int low = g.ring ? growth : growth - (growth - outline_growth) % 2;
     for (std::size_t i = g.first; i < g.last; ++i) {
       const LineMeasurement& m = set_.lines[i];
-      const double sigma = m.sigma * s.single;
-      const double w = g.weight * tukey((residuals_[i] - m.by_growth * g.effect) / (cutoff * sigma));
+      const double sigma = m.sigma * s.single, residual = memory_.residuals[i];
+      const double w = g.weight * tukey((residual - m.by_growth * g.effect) / (cutoff * sigma));
       if (w == 0) continue;
-      const Part& j = derivatives_[i];
-      const double iw = w / (sigma * sigma), by_growth = iw * m.by_growth;
-      const int growth = N + m.growth;
-      hessian_.template topLeftCorner<N, N>().template selfadjointView<Eigen::Lower>().rankUpdate(j, iw);
-      hessian_.row(growth).template head<N>() += by_growth * j.transpose();
-      hessian_(growth, growth) += by_growth * m.by_growth;
-      gradient_.template head<N>() += iw * m.offset * j;
-      gradient_[growth] += by_growth * m.offset;
-      along.template head<N>() += by_growth * j;
-      along[growth] += by_growth * m.by_growth;
-      square += iw * m.by_growth * m.by_growth;
-      offset += iw * m.by_growth * m.offset;
+      const Row r = row(i), weighted = w / (sigma * sigma) * r;
+      add_squares(weighted, r);
+      sides[static_cast<std::size_t>(m.growth - low)] += m.by_growth * weighted;
       if (!g.ring) continue;
       ring_weight_ += w;
       support_[static_cast<std::size_t>(m.cell)] += static_cast<float>(w);
-      ring_square_ += w * residuals_[i] * residuals_[i];
+      ring_square_ += w * residual * residual;
     }
-    hessian_.template selfadjointView<Eigen::Lower>().rankUpdate(along, -1 / square);
-    gradient_ -= offset / square * along;
+    const Row along = sides[0] + sides[1], share = along / (along[at_growth] + 1 / (s.common * s.common));
+    add_squares(-share, along);
+    for (int a = 0; a < 2; ++a) {
+      const Row& side = sides[static_cast<std::size_t>(a)];
+      const double own = side[at_growth];
+      if (own == 0) continue;
+      by_growth_.col(low + a) += side - own * share;
+      growth_(low + a, low + a) += own;
+      for (int b = 0; b < 2 && low + b < growths; ++b)
+        growth_(low + a, low + b) -=
+            own * sides[static_cast<std::size_t>(b)][at_growth] / (along[at_growth] + 1 / (s.common * s.common));
+    }
   }
 
   // Standard deviations: of what a group is off by as a whole, pixels, and of a single line in units of its own.
@@ -203,14 +222,15 @@ class Solver {
   };
 
   const LineSet& set_;
-  std::vector<double>& scratch_;
+  LineMemory& memory_;
   Vector mean_ = Vector::Zero(), information_ = Vector::Zero();
   Vector delta_ = Vector::Zero(), gradient_ = Vector::Zero();
   Matrix hessian_ = Matrix::Zero();
   Scatter ring_, outline_;
-  std::vector<Group> groups_;
-  std::vector<double> residuals_;
-  std::vector<Part> derivatives_;
+  // Sums of the rows' squares (lower triangle), and of the rows by each growth and of the growths alone.
+  Eigen::Matrix<double, width, width> squares_;
+  Eigen::Matrix<double, width, growths> by_growth_;
+  Eigen::Matrix<double, growths, growths> growth_;
   double ring_weight_ = 0, ring_square_ = 0;
   std::array<float, max_cells> support_{};
 };
@@ -232,11 +252,11 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
   Vector12d information = Vector12d::Zero();
   information.segment<3>(6).setConstant(1 / (prior.angular * prior.angular));
   information.tail<3>().setConstant(1 / (prior.linear * prior.linear));
-  const auto pass = [&]<int N>(std::integral_constant<int, N>) {
+  const auto pass = [&]<int N>(std::integral_constant<int, N>, const LineOptions& options) {
     Vector12d mean = Vector12d::Zero();
     mean.segment<3>(6) = start.angular - fit.motion.angular;
     mean.tail<3>() = start.linear - fit.motion.linear;
-    Solver<N> solver(set_, mean, information, scratch_);
+    Solver<N> solver(set_, mean, information, memory_);
     if (!solver.solve()) return false;
     const auto& d = solver.delta();
     // A step of more than a quarter of a radian or 10 % of the distance is a step off the linear model.
@@ -247,7 +267,7 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
       fit.motion.angular += d.template segment<3>(6);
       fit.motion.linear += d.template segment<3>(9);
     }
-    fit.covariance.topLeftCorner<N, N>() = solver.covariance();
+    if (&options == &passes.back()) fit.covariance.topLeftCorner<N, N>() = solver.covariance();
     fit.support = solver.support();
     fit.supported = solver.ring_weight();
     fit.rms = solver.rms();
@@ -257,8 +277,8 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
     measure_lines(view, rod, inks, fit.motion, options, set_);
     fit.expected = set_.expected;
     fit.shown = set_.shown;
-    const bool solved =
-        view.clock.rolls() ? pass(std::integral_constant<int, 12>{}) : pass(std::integral_constant<int, 6>{});
+    const bool solved = view.clock.rolls() ? pass(std::integral_constant<int, 12>{}, options)
+                                           : pass(std::integral_constant<int, 6>{}, options);
     if (!solved) return fit;
   }
   for (std::size_t c = 0; c < fit.support.size(); ++c) {

@@ -40,6 +40,19 @@ struct LineFit {
 /// Gives a detection the velocity that was fitted with its pose; where the shutter does not roll none was.
 void take_velocity(const TimedView& view, const LineFit& fit, Detection& detection);
 
+/// What a fit works in.
+struct LineMemory {
+  /// The lines of one ring edge, which follow one another, or those of the outline beside one cell.
+  struct Group {
+    std::size_t first, last;
+    bool ring;
+    double effect = 0;  ///< By which all of them are off alike, pixels.
+    double weight = 1;
+  };
+  std::vector<Group> groups;
+  std::vector<double> rows, residuals, scratch;
+};
+
 /// Fits a motion to the rod's edges in a picture. Keeps its memory between pictures; used by one thread at a time.
 class LineFitter {
  public:
@@ -50,7 +63,7 @@ class LineFitter {
 
  private:
   LineSet set_;
-  std::vector<double> scratch_;
+  LineMemory memory_;
 };
 
 }  // namespace onestroke

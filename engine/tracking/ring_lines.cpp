@@ -1,5 +1,8 @@
 #include "tracking/ring_lines.h"
 
+#include "tracking/placed_rod.h"
+#include "tracking/sampling.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -32,23 +35,31 @@ constexpr float min_outline_contrast = 40;
 
 // The step and its derivative at the samples, in units of the reach.
 struct Step {
-  std::array<float, steps> at{}, height{}, weight{};
+  std::array<float, steps> at{}, weight{};
+  float weights = 0, level = 0;  // Sums of the weights, and of the heights by their weights.
   Step() {
     double square = 0;
-    std::array<double, steps> slope{};
+    std::array<double, steps> slope{}, height{};
     for (std::size_t i = 0; i < steps; ++i) {
       const double x = 2.0 * (static_cast<double>(i) + 0.5) / steps - 1, z = x / step_blur;
       at[i] = static_cast<float>(x);
-      height[i] = static_cast<float>(0.5 * std::erfc(-z * std::numbers::sqrt2 / 2));
+      height[i] = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
       slope[i] = std::exp(-0.5 * z * z) / (step_blur * std::sqrt(2 * std::numbers::pi));
       square += slope[i] * slope[i];
     }
-    for (std::size_t i = 0; i < steps; ++i) weight[i] = static_cast<float>(-slope[i] / square);
+    for (std::size_t i = 0; i < steps; ++i) {
+      weight[i] = static_cast<float>(-slope[i] / square);
+      weights += weight[i];
+      level += weight[i] * static_cast<float>(height[i]);
+    }
   }
 };
 
 // Linear light from levels, near enough for shares of a difference: a gamma of 2. What is left moves the edges between
 // two inks all alike, and is fitted as their growth.
+ColorLanes linear(const ColorLanes& coded) {
+  return coded * coded;
+}
 Color linear(const Color& coded) {
   return coded * coded;
 }
@@ -74,6 +85,8 @@ class LineMeter {
         motion_(motion),
         options_(options),
         set_(set),
+        placed_(rod, motion.pose),
+        plain_(!view.clock.rolls() && !view.intrinsics.distorted()),
         eye_(-motion.pose.R.transpose() * motion.pose.t) {}
 
   void run() {
@@ -82,44 +95,12 @@ class LineMeter {
   }
 
  private:
-  // A cross-section of the rod in camera axes, where the eye is the origin.
-  struct Ring {
-    Vec3d centre, tangent, cut, front, side;
-    double along;  // Of the tangent along the cut's normal.
-  };
-
-  Ring place(const RodModel::Section& s) const {
-    Ring r;
-    r.centre = motion_.pose * s.centre;
-    r.tangent = motion_.pose.R * s.tangent;
-    r.cut = motion_.pose.R * s.cut;
-    r.front = -r.centre + r.tangent * r.centre.dot(r.tangent);
-    const double length = r.front.norm();
-    r.front = length > 1e-9 ? Vec3d(r.front / length) : r.tangent.unitOrthogonal();
-    r.side = r.tangent.cross(r.front);
-    r.along = r.tangent.dot(r.cut);
-    return r;
-  }
-
-  Vec3d out_of(const Ring& r, double sine, double cosine) const { return cosine * r.front + sine * r.side; }
-
-  Vec3d surface(const Ring& r, const Vec3d& out) const {
-    return r.centre + rod_.radius() * (out - (out.dot(r.cut) / r.along) * r.tangent);
-  }
-
-  // The middle of a cell on one of its generator lines, between the planes that cut it: at a mitre they lean.
-  Vec3d middle_of(int cell, const Ring& r, double sine, double cosine) const {
-    const Vec3d x = r.centre + rod_.radius() * out_of(r, sine, cosine);
-    double along = 0;
-    for (const int e : {cell, cell + 1}) {
-      const Vec3d cut = motion_.pose.R * rod_.edge(e).cut;
-      along += 0.5 * (motion_.pose * rod_.edge(e).centre - x).dot(cut) / r.tangent.dot(cut);
-    }
-    return x + along * r.tangent;
-  }
-
   bool pixel_of(const Vec3d& point, Vec2d& pixel) const {
-    return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
+    if (!plain_) return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
+    if (point.z() < 1) return false;
+    const double iz = 1 / point.z();
+    pixel = {k_.fx * iz * point.x() + k_.cx, k_.fy * iz * point.y() + k_.cy};
+    return image_.contains(pixel.x(), pixel.y());
   }
 
   bool hidden(const RodModel::Section& section, const Vec3d& x) const {
@@ -130,7 +111,7 @@ class LineMeter {
     const RodModel::Section& section = rod_.edge(e);
     // Lines of the two sides of a mitre do not meet.
     if (rod_.middle(e - 1).tangent.dot(rod_.middle(e).tangent) < 0.5) return;
-    const Ring here = place(section), before = place(rod_.middle(e - 1)), after = place(rod_.middle(e));
+    const PlacedSection& here = placed_.edge(e);
     if (here.centre.z() < 10) return;
     const double radius = k_.fx * rod_.radius() / here.centre.z();
     const double widest = std::min(0.95, 1 - rim / radius);
@@ -138,16 +119,15 @@ class LineMeter {
     whole_ = rod_.shows_whole(section, eye_);
     const int lines = std::clamp(static_cast<int>(2 * widest * radius / options_.spacing),
                                  std::min(3, options_.max_lines), options_.max_lines);
-    for (int i = 0; i < lines; ++i)
-      line(e, section, here, before, after, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0);
+    for (int i = 0; i < lines; ++i) line(e, section, here, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0);
   }
 
-  void line(int e, const RodModel::Section& section, const Ring& here, const Ring& before, const Ring& after,
-            double sine) {
+  void line(int e, const RodModel::Section& section, const PlacedSection& here, double sine) {
     const double cosine = std::sqrt(1 - sine * sine);
-    const Vec3d out = out_of(here, sine, cosine), x = surface(here, out);
+    const Vec3d out = here.out(sine, cosine), x = here.surface(rod_.radius(), out);
     if (-out.dot(x) < min_facing * x.norm()) return;
-    const Vec3d a = middle_of(e - 1, before, sine, cosine), b = middle_of(e, after, sine, cosine);
+    const Vec3d a = placed_.middle_of(e - 1, placed_.middle(e - 1).out(sine, cosine));
+    const Vec3d b = placed_.middle_of(e, placed_.middle(e).out(sine, cosine));
     Vec2d px, pa, pb;
     if (!pixel_of(x, px) || !pixel_of(a, pa) || !pixel_of(b, pb)) return;
     const double back = (pa - px).norm(), on = (pb - px).norm(), cell = std::min(back, on);
@@ -168,9 +148,9 @@ class LineMeter {
     const double along = step_offset(px, to_a, to_b, reach, la, linear(cb) - la);
     if (std::abs(along) > reach) return;
     const Vec3d turn = here.tangent.cross(out) * rod_.radius();
-    const Vec3d rim_step = turn - (turn.dot(here.cut) / here.along) * here.tangent;
-    add(x, px, rim_step, (pb - pa).normalized(), along,
-        std::hypot(best_sigma, noise_sigma / static_cast<double>(contrast)), e,
+    const Vec3d rim_step = here.square ? turn : Vec3d(turn - (turn.dot(here.cut) / here.along) * here.tangent);
+    const double noise = noise_sigma / static_cast<double>(contrast);
+    add(x, px, rim_step, (pb - pa).normalized(), along, std::sqrt(best_sigma * best_sigma + noise * noise), e,
         growth_of(rod_.ink(e - 1), rod_.ink(e)));
   }
 
@@ -184,8 +164,10 @@ class LineMeter {
     const Vec2d step = 0.2 * (m - x);
     const Vec2d p = m - step, q = m + step;
     if (!image_.contains(q.x(), q.y())) return image_.sample(m.x(), m.y());
-    return (image_.sample(p.x(), p.y()) + image_.sample(m.x(), m.y()) + image_.sample(q.x(), q.y())) / 3;
+    return to_color(at(p) + at(m) + at(q)) / 3;
   }
+
+  ColorLanes at(const Vec2d& p) const { return sample_lanes(image_, p.x(), p.y()); }
 
   // How far along the line past px the colour, in linear light, steps by a difference from what it is at a; beyond the
   // reach where it does not.
@@ -193,18 +175,17 @@ class LineMeter {
                      const Color& difference) const {
     static const Step step;
     const Color heavy = weighted(difference), d = heavy / (heavy * difference).sum();
-    float sum = 0, first = 0, last = 0;
+    // The colours weighted as a whole, as what is wanted of each depends on it by a line.
+    ColorLanes sum = cv::v_setzero_f32(), first = sum, last = sum;
     for (std::size_t i = 0; i < steps; ++i) {
       const double s = static_cast<double>(step.at[i]) * reach;
-      const Vec2d p = s < 0 ? Vec2d(px - s * to_a) : Vec2d(px + s * to_b);
-      const float value = ((linear(image_.sample(p.x(), p.y())) - at_a) * d).sum();
-      sum += step.weight[i] * (value - step.height[i]);
-      if (i == 0) first = value;
-      last = value;
+      last = linear(at(s < 0 ? Vec2d(px - s * to_a) : Vec2d(px + s * to_b)));
+      if (i == 0) first = last;
+      sum += cv::v_setall_f32(step.weight[i]) * last;
     }
     // Blur wider than the reach moves an edge as its neighbours will.
-    if (last - first < min_rise) return 2 * reach;
-    return static_cast<double>(sum) * reach;
+    if ((to_color(last - first) * d).sum() < min_rise) return 2 * reach;
+    return static_cast<double>(((to_color(sum) - step.weights * at_a) * d).sum() - step.level) * reach;
   }
 
   // An edge whose direction at a point is that of `tangent`, both in camera axes, was found `along` a direction.
@@ -220,13 +201,16 @@ class LineMeter {
     const double across = direction.dot(normal);
     if (std::abs(across) < 0.3) return;
     const Vec3d gradient = (normal.transpose() * by_point).transpose();
-    set_.lines.push_back({x - motion_.pose.t, gradient, clock_.at(px.y()), along * across, sigma, cell, growth.first,
-                          growth.second * across});
+    Eigen::Matrix<double, 6, 1> by_pose;
+    by_pose.head<3>() = (x - motion_.pose.t).cross(gradient);
+    by_pose.tail<3>() = gradient;
+    set_.lines.push_back(
+        {by_pose, clock_.at(px.y()), along * across, sigma, cell, growth.first, growth.second * across});
   }
 
   void outlines(int c) {
     const RodModel::Section& section = rod_.middle(c);
-    const Ring here = place(section);
+    const PlacedSection& here = placed_.middle(c);
     const double away = here.centre.cross(here.tangent).norm();
     // Within about 25 degrees of the axis the outline is the tip's or the neighbour's.
     if (here.centre.z() < 10 || away < 0.42 * here.centre.norm()) return;
@@ -241,9 +225,10 @@ class LineMeter {
     }
   }
 
-  void outline(int c, const RodModel::Section& section, const Ring& here, double shift, double sine, double cosine) {
+  void outline(int c, const RodModel::Section& section, const PlacedSection& here, double shift, double sine,
+               double cosine) {
     const Vec3d centre = here.centre + shift * here.tangent;
-    const Vec3d x = surface(here, out_of(here, sine, cosine)) + shift * here.tangent;
+    const Vec3d x = here.surface(rod_.radius(), here.out(sine, cosine)) + shift * here.tangent;
     Vec2d px, pc, pt;
     if (!pixel_of(x, px) || !pixel_of(centre, pc) || !pixel_of(x + here.tangent, pt)) return;
     const Vec2d edge = (pt - px).normalized();
@@ -254,7 +239,7 @@ class LineMeter {
     const double reach = std::min(std::max(0.4 * radius, 1.2), options_.reach);
     const Vec2d inside = px - reach * normal, outside = px + reach * normal;
     if (!image_.contains(outside.x(), outside.y()) || !image_.contains(inside.x(), inside.y())) return;
-    const Color ca = image_.sample(inside.x(), inside.y()), cb = image_.sample(outside.x(), outside.y());
+    const Color ca = to_color(at(inside)), cb = to_color(at(outside));
     if (inks_.match(ca, rod_.ink(c)) != Inks::Match::agrees || (cb - ca).matrix().norm() < min_outline_contrast) return;
     // What is behind the rod tells by what the ink does not have of it, as the ink darkens towards the outline.
     const Color ink = linear(ca), behind = linear(cb), heavy = weighted(ink);
@@ -274,6 +259,8 @@ class LineMeter {
   const Motion& motion_;
   const LineOptions& options_;
   LineSet& set_;
+  PlacedRod placed_;
+  const bool plain_;    // A lens and a shutter that change nothing.
   Vec3d eye_;           // Marker frame.
   bool whole_ = false;  // The section at hand hides nowhere behind the rod itself.
 };

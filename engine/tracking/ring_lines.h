@@ -16,14 +16,13 @@ inline constexpr int growths = 7, outline_growth = 3;
 
 /// Where an edge of the rod was found in the picture, against where a motion predicts it.
 struct LineMeasurement {
-  Vec3d arm;         ///< From the marker's origin to the edge point, camera axes, mm.
-  Vec3d by_point;    ///< Derivative of the offset by the edge point, pixels/mm.
-  double seconds;    ///< When the row that it falls on was exposed, RowClock's.
-  double offset;     ///< Pixels, along the edge's normal in the picture.
-  double sigma;      ///< Standard deviation that the picture's noise and grain give it, pixels.
-  int cell;          ///< The cell after the ring edge, or beside the outline.
-  int growth;        ///< Which growth moves it too: that of a pair of inks, or the outline's.
-  double by_growth;  ///< Derivative of the offset by it.
+  Eigen::Matrix<double, 6, 1> by_pose;  ///< Derivative of the offset by perturbed()'s delta of the pose.
+  double seconds;                       ///< When the row that it falls on was exposed, RowClock's.
+  double offset;                        ///< Pixels, along the edge's normal in the picture.
+  double sigma;                         ///< Standard deviation that the picture's noise and grain give it, pixels.
+  int cell;                             ///< The cell after the ring edge, or beside the outline.
+  int growth;                           ///< Which growth moves it too: that of a pair of inks, or the outline's.
+  double by_growth;                     ///< Derivative of the offset by it.
 
   bool ring() const { return growth < outline_growth; }
 };

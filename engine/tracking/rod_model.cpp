@@ -20,7 +20,8 @@ RodModel::RodModel(const MarkerSpec& spec)
     const int parts = p.radius > 0 ? 4 : 1;
     for (int i = 0; i < parts; ++i) {
       const double s0 = p.start + p.length * i / parts, s1 = p.start + p.length * (i + 1) / parts;
-      chords_.push_back({to_eigen(spec.shape.at(s0).position), to_eigen(spec.shape.at(s1).position), s0, s1});
+      chords_.push_back(
+          {to_eigen(spec.shape.at(s0).position), to_eigen(spec.shape.at(s1).position), s0, s1, parts == 1});
     }
   }
   Vec3d low = edges_.front().centre, high = low;
@@ -77,8 +78,8 @@ Vec3d RodModel::surface(const Section& section, const Vec3d& eye, double phi, Ve
 
 namespace {
 
-// Shortest distance between segments a-b and c-d (Ericson, Real-Time Collision Detection, 5.1.9).
-double segment_distance(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+// Shortest distance between segments a-b and c-d, squared (Ericson, Real-Time Collision Detection, 5.1.9).
+double square_distance(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const Vec3d u = b - a, v = d - c, w = a - c;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
   const double det = uu * vv - uv * uv;
@@ -88,7 +89,7 @@ double segment_distance(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
     t = std::clamp(t, 0.0, 1.0);
     s = std::clamp((uv * t - uw) / uu, 0.0, 1.0);
   }
-  return (w + s * u - t * v).norm();
+  return (w + s * u - t * v).squaredNorm();
 }
 
 }  // namespace
@@ -98,6 +99,8 @@ bool RodModel::hides_within(const Section& section, const Vec3d& point, const Ve
   const Vec3d towards = (eye - point).normalized();
   const Vec3d far = point + 4 * bounding_radius_ * towards;
   for (const Chord& c : chords_) {
+    // What is straight is convex, and a point of it that faces the eye is not behind it.
+    if (c.straight && section.s > c.s0 && section.s < c.s1) continue;
     // The stretch near the point is convex seen from outside and cannot hide it.
     const double margin = 2 * radius_;
     double s0 = c.s0, s1 = c.s1;
@@ -111,7 +114,7 @@ bool RodModel::hides_within(const Section& section, const Vec3d& point, const Ve
         a = a + (b - a) * ((section.s + margin - s0) / (s1 - s0));
       }
     }
-    if (segment_distance(point + 0.5 * towards, far, a, b) < reach) return true;
+    if (square_distance(point + 0.5 * towards, far, a, b) < reach * reach) return true;
   }
   return false;
 }

@@ -49,7 +49,7 @@ class RodModel {
 
   /// The surface point of a section at the angle phi about the rod from the side that faces the eye; and its normal.
   Vec3d surface(const Section& section, const Vec3d& eye, double phi, Vec3d* normal = nullptr) const;
-  /// The rod itself stands between the surface point of a section and the eye.
+  /// The rod itself stands between the surface point of a section, which faces the eye, and the eye.
   bool hides_itself(const Section& section, const Vec3d& point, const Vec3d& eye) const {
     return hides_within(section, point, eye, 0.95 * radius_);
   }
@@ -74,6 +74,7 @@ class RodModel {
   struct Chord {
     Vec3d a, b;
     double s0, s1;
+    bool straight;
   };
   std::vector<Chord> chords_;
   std::vector<Meeting> meetings_;

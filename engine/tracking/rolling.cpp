@@ -19,9 +19,9 @@ EigenPose Motion::at(double seconds) const {
   return perturbed(pose, delta);
 }
 
-bool project(const Intrinsics& k, const RowClock& clock, const Motion& motion, const Vec3d& point, Vec2d& pixel) {
+bool project_rolling(const Intrinsics& k, const RowClock& clock, const Motion& motion, const Vec3d& point,
+                     Vec2d& pixel) {
   if (!project(k, point, pixel)) return false;
-  if (!clock.rolls()) return true;
   const Vec3d velocity = motion.velocity_of(point);
   // The row's time as a function of the time at which the point is projected is nearly a line: secants meet it at once.
   double t = 0, row_time = clock.at(pixel.y()), slope = 0;

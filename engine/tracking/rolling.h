@@ -41,8 +41,15 @@ struct Motion {
   Vec3d bend(const Vec3d& velocity, double seconds) const;
 };
 
+/// The same as project() below where the shutter rolls.
+bool project_rolling(const Intrinsics& k, const RowClock& clock, const Motion& motion, const Vec3d& point,
+                     Vec2d& pixel);
+
 /// Projects a point of a moving marker, given where it is when the middle row is exposed, at the time when the row that
 /// it falls on is.
-bool project(const Intrinsics& k, const RowClock& clock, const Motion& motion, const Vec3d& point, Vec2d& pixel);
+inline bool project(const Intrinsics& k, const RowClock& clock, const Motion& motion, const Vec3d& point,
+                    Vec2d& pixel) {
+  return clock.rolls() ? project_rolling(k, clock, motion, point, pixel) : project(k, point, pixel);
+}
 
 }  // namespace onestroke

@@ -133,15 +133,21 @@ class Tracker::Impl {
     const bool missing = measured_.empty() || missed();
     if (!missing && since_search_ < options_.search_every) return;
     since_search_ = 0;
-    detections_.clear();
-    quick_.find(view, found_, measured_, detections_);
-    for (const Detection& d : detections_) take(picture, d);
+    if (!search_quickly(picture, view, QuickSearch::Detail::coarse)) return;
+    if (!search_quickly(picture, view, QuickSearch::Detail::fine)) return;
     const bool still_missing = measured_.empty() || missed();
-    if (!still_missing && !something_new()) return;
     if (since_thorough_ < (still_missing ? options_.miss_thoroughly_every : options_.search_thoroughly_every)) return;
     search_thoroughly(picture, view);
     since_thorough_ = 0;
     fruitless_ = quick_.unexplained();
+  }
+
+  // Whether that leaves something to look for.
+  bool search_quickly(const Picture& picture, const TimedView& view, QuickSearch::Detail detail) {
+    detections_.clear();
+    quick_.find(view, detail, found_, measured_, detections_);
+    for (const Detection& d : detections_) take(picture, d);
+    return measured_.empty() || missed() || something_new();
   }
 
   // A row of cells that nothing explains, where none was when the last thorough search was made.

@@ -1,6 +1,7 @@
 // How long the tracker takes for a picture, and how long other work on the same picture takes.
 
 #include "bench_pictures.h"
+#include "growth.h"
 #include "ratio_report.h"
 #include "tracking/tracker.h"
 #include "yardsticks.h"
@@ -9,10 +10,9 @@
 #include <opencv2/core.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <iostream>
-#include <numbers>
+#include <memory>
 
 namespace onestroke::bench {
 namespace {
@@ -51,7 +51,7 @@ void cold(State& state, const BenchPictures& pictures) {
     picture.exposure.start = Time{-1'000'000'000 * ++number};
     tracker.process(picture, record);
     costs.add(record);
-    if (measured(record) != markers_in_sight) state.SkipWithError("a marker was not found");
+    if (measured(record) != pictures.scene().markers) state.SkipWithError("a marker was not found");
   }
   costs.tell(state);
 }
@@ -63,7 +63,7 @@ void thorough(State& state, const BenchPictures& pictures) {
   std::uint64_t number = 0;
   for (auto _ : state) {
     tracker.process(pictures.picture(number++), record);
-    if (measured(record) != markers_in_sight) state.SkipWithError("a marker was not found");
+    if (measured(record) != pictures.scene().markers) state.SkipWithError("a marker was not found");
   }
 }
 
@@ -77,7 +77,7 @@ void following(State& state, const BenchPictures& pictures) {
   for (auto _ : state) {
     tracker.process(pictures.picture(number++), record);
     costs.add(record);
-    if (measured(record) != markers_in_sight) state.SkipWithError("a marker was lost");
+    if (measured(record) != pictures.scene().markers) state.SkipWithError("a marker was lost");
   }
   costs.tell(state);
 }
@@ -96,20 +96,34 @@ void tags(State& state, const BenchPictures& pictures, Yardstick& yardstick) {
     if (yardstick.tags(pictures) != tags_in_sight) state.SkipWithError("not both tags were found");
 }
 
+// The pictures of the scene that was asked for last: benchmarks of one scene follow one another.
+const BenchPictures& pictures_of(const Scene& scene) {
+  static std::unique_ptr<BenchPictures> last;
+  if (!last || last->scene() != scene) {
+    last.reset();
+    last = std::make_unique<BenchPictures>(scene);
+  }
+  return *last;
+}
+
 template <typename Function>
 void add(const std::string& what, const std::string& picture, Function function) {
   benchmark::RegisterBenchmark((what + '/' + picture).c_str(), function)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-void add_all(const std::string& name, const BenchPictures& pictures) {
-  add("cold", name, [&](State& s) { cold(s, pictures); });
-  add("thorough", name, [&](State& s) { thorough(s, pictures); });
-  add("following", name, [&](State& s) { following(s, pictures); });
-  add("memcpy", name, [&](State& s) { copying(s, pictures); });
-  add("ArUco", name, [&](State& s) { tags(s, pictures, *aruco_yardstick(false)); });
-  add("ArUco 3", name, [&](State& s) { tags(s, pictures, *aruco_yardstick(true)); });
+void add_costs(const std::string& name, const Scene& scene) {
+  add("cold", name, [=](State& s) { cold(s, pictures_of(scene)); });
+  add("following", name, [=](State& s) { following(s, pictures_of(scene)); });
+}
+
+void add_all(const std::string& name, const Scene& scene) {
+  add_costs(name, scene);
+  add("thorough", name, [=](State& s) { thorough(s, pictures_of(scene)); });
+  add("memcpy", name, [=](State& s) { copying(s, pictures_of(scene)); });
+  add("ArUco", name, [=](State& s) { tags(s, pictures_of(scene), *aruco_yardstick(false)); });
+  add("ArUco 3", name, [=](State& s) { tags(s, pictures_of(scene), *aruco_yardstick(true)); });
 #ifdef ONESTROKE_WITH_APRILTAG
-  add("AprilTag", name, [&](State& s) { tags(s, pictures, *april_yardstick()); });
+  add("AprilTag", name, [=](State& s) { tags(s, pictures_of(scene), *april_yardstick()); });
 #endif
 }
 
@@ -123,12 +137,15 @@ int run(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   // One thread, for them as for us.
   cv::setNumThreads(1);
-  const BenchPictures large(1600, 1200, 35 * std::numbers::pi / 180), wide(1280, 800, 60 * std::numbers::pi / 180);
-  add_all("1600x1200", large);
-  add_all("1280x800", wide);
+  add_all("1600x1200", {});
+  add_all("1280x800", {.width = 1280, .height = 800, .fov_deg = 60});
+  const std::vector<Series> growth = all_series();
+  for (const Series& series : growth)
+    for (const Series::Step& step : series.steps) add_costs(step.name, step.scene);
   RatioReport report;
   benchmark::RunSpecifiedBenchmarks(&report);
   report.print_ratios({"cold", "thorough", "following"}, {"memcpy", "ArUco", "ArUco 3", "AprilTag"});
+  print_growth(report.GetOutputStream(), report, growth);
   return report.failed() ? 1 : 0;
 }
 

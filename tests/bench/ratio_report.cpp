@@ -1,5 +1,7 @@
 #include "ratio_report.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 
 namespace onestroke::bench {
@@ -26,6 +28,12 @@ void RatioReport::ReportRuns(const std::vector<Run>& runs) {
   }
 }
 
+double RatioReport::median(const std::string& what, const std::string& picture) const {
+  const auto times = ms_.find(picture);
+  if (times == ms_.end() || !times->second.contains(what)) return std::nan("");
+  return times->second.at(what);
+}
+
 void RatioReport::print_ratios(const std::vector<std::string>& ours, const std::vector<std::string>& yardsticks) const {
   std::ostream& out = GetOutputStream();
   out << std::fixed << "\n| picture | | ms |";
@@ -35,6 +43,7 @@ void RatioReport::print_ratios(const std::vector<std::string>& ours, const std::
   out << '\n';
   for (const auto& entry : ms_) {
     const auto& times = entry.second;
+    if (std::none_of(yardsticks.begin(), yardsticks.end(), [&](const auto& y) { return times.contains(y); })) continue;
     const auto row = [&](const std::string& what) {
       if (!times.contains(what)) return;
       out << "| " << entry.first << " | " << what << " | " << std::setprecision(2) << times.at(what) << " |";

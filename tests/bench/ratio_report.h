@@ -19,8 +19,11 @@ class RatioReport : public benchmark::ConsoleReporter {
   RatioReport() : ConsoleReporter(OO_None) {}
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// A Markdown table of the medians, and of how many times each yardstick's time ours take.
+  /// Of the pictures that have a yardstick, a Markdown table of the medians, and of how many times each yardstick's
+  /// time ours take.
   void print_ratios(const std::vector<std::string>& ours, const std::vector<std::string>& yardsticks) const;
+  /// The median of a benchmark that was run, ms; otherwise not a number.
+  double median(const std::string& what, const std::string& picture) const;
   bool failed() const { return failed_; }
 
  private:

@@ -1,47 +1,15 @@
 // The render loop allocates nothing once warm. Counts every `new` of the loop's thread, so it is a program of its own.
+#include "allocation/allocation_counter.h"
 #include "app/show.h"
 #include "camera/open_camera.h"
 #include "display/offscreen.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-thread_local bool counting = false;
-thread_local int allocations = 0;
-
-void* count_and_allocate(std::size_t size) {
-  if (counting) ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return count_and_allocate(size);
-}
-void* operator new[](std::size_t size) {
-  return count_and_allocate(size);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
 namespace onestroke {
 namespace {
+
+using test::allocations_of_this_thread;
 
 const std::filesystem::path assets = ONESTROKE_SOURCE_DIR "/assets";
 
@@ -77,14 +45,14 @@ TEST(Show, AllocatesNothingOnceWarm) {
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
     Show show({display, renderer, tracking, shelf}, FrameFeed::Pace::each, PictureTime::exposure);
     std::size_t shown = 0;
+    long before = 0;
     show.run({.pictures = 40}, [&](std::size_t pictures) {
       shown = pictures;
-      counting = pictures >= 20;
+      if (pictures <= 20) before = allocations_of_this_thread();
     });
-    counting = false;
+    EXPECT_EQ(allocations_of_this_thread(), before);
     EXPECT_EQ(shown, 40u);
   }
-  EXPECT_EQ(allocations, 0);
 }
 
 }  // namespace

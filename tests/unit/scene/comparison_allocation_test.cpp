@@ -1,29 +1,8 @@
+#include "allocation/allocation_counter.h"
 #include "scene/comparison.h"
 #include "sticks.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-std::atomic<int> allocations{0};
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
 
 namespace onestroke {
 namespace {
@@ -31,7 +10,7 @@ namespace {
 TEST(ComparisonAllocation, NoFrameAllocates) {
   Comparison comparison({{1, "bracket_v1"}, {2, "bracket_v2"}});
   Stick left{.id = 1, .place = {-100, 0, 400}}, right{.id = 2, .place = {100, 0, 400}};
-  const int before = allocations;
+  const long before = test::allocations_of_this_thread();
   for (int ms = 0; ms < 6000; ms += 10) {
     if (ms == 1000) comparison.toggle();
     left.place.x = ms > 2000 && ms < 3000 ? 80 : -100;
@@ -39,7 +18,7 @@ TEST(ComparisonAllocation, NoFrameAllocates) {
     right.rotation = exp_so3({0, 0.03, 0}) * right.rotation;
     comparison.update(record_of({left, right}), Time{} + Duration::from_ms(ms));
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocations_of_this_thread(), before);
 }
 
 }  // namespace

@@ -41,12 +41,13 @@ void expect_read(const Reading& r, int marker, int first, int count, bool backwa
 
 TEST(CodeWindows, AlignAsAllAlignmentsDo) {
   const Catalog catalog = catalog_of(8);
-  const CodeWindows windows(catalog);
+  QuickReader reader(catalog);
+  std::vector<Reading> quick;
   for (const bool backward : {false, true})
     for (const std::vector<int>& gaps : {std::vector<int>{}, {4}, {3, 9, 10}, {2, 5, 8, 11}}) {
       Seen seen;
       seen.add(code(catalog, 5), 7, 15, backward, gaps);
-      const auto quick = read_chains(catalog, windows, seen.cells, seen.chains);
+      reader.read(seen.cells, seen.chains, quick);
       ASSERT_FALSE(quick.empty());
       expect_read(quick.front(), 5, 7, 15, backward);
       EXPECT_EQ(quick.front().score(), read_chains(catalog, seen.cells, seen.chains).front().score());

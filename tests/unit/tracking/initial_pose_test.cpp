@@ -63,6 +63,27 @@ TEST(InitialPose, RandomPosesAreRecovered) {
   }
 }
 
+TEST(InitialPose, WeakPerspectiveRecoversRandomPosesToo) {
+  RandomPose random;
+  for (const double bend : {0.0, 8.0}) {
+    const RodModel rod(angle_marker(1, bend));
+    for (int i = 0; i < 100; ++i) {
+      const Pose truth = random_view(random);
+      const auto guesses = poses_in_weak_perspective(camera(), rod, seen(rod, truth, 0, 35));
+      ASSERT_FALSE(guesses.empty()) << i;
+      const Pose found = from_eigen(guesses[0].pose);
+      EXPECT_LT(turn_between(found, truth), 0.3) << i;
+      EXPECT_LT(shift_between(found, truth), 1e-3) << i;
+    }
+  }
+}
+
+TEST(InitialPose, WeakPerspectiveNeedsBothArms) {
+  RandomPose random;
+  const RodModel rod(angle_marker(1));
+  EXPECT_TRUE(poses_in_weak_perspective(camera(), rod, seen(rod, random_view(random), 2, 15)).empty());
+}
+
 TEST(InitialPose, APartOfEachArmWillDoAndNoiseIsBorne) {
   RandomPose random;
   const RodModel rod(angle_marker(1));

@@ -23,9 +23,10 @@ struct Looker {
   }
 
   /// Whether rows are left that nothing explains.
-  bool look(const Shot& shot, std::vector<Detection>& found, const std::vector<bool>& skip = {}) {
+  bool look(const Shot& shot, std::vector<Detection>& found, const std::vector<bool>& skip = {},
+            QuickSearch::Detail detail = QuickSearch::Detail::coarse) {
     found.clear();
-    search.find({shot.view(), shot.intrinsics, {}}, skip, {}, found);
+    search.find({shot.view(), shot.intrinsics, {}}, detail, skip, {}, found);
     return !search.unexplained().empty();
   }
 };

@@ -66,6 +66,27 @@ TEST(Segmentation, AFactorLooksAtTheMiddleOfEachSquare) {
     for (std::size_t x = 0; x < 3; ++x) EXPECT_EQ(some[3 * y + x], all[14 * (4 * y + 2) + 4 * x + 2]);
 }
 
+// Rows of fewer than sixteen pixels are labelled pixel by pixel, longer ones in lanes.
+TEST(Segmentation, LanesGiveWhatSinglePixelsGive) {
+  std::mt19937 random(9);
+  Patch patch({0, 0, 0}, 16 * 7 + 5, 40, 3);
+  for (std::uint8_t& b : patch.bytes) b = static_cast<std::uint8_t>(random() % 256);
+  // Colours near grey, where margins decide.
+  for (std::size_t i = patch.bytes.size() / 2; i < patch.bytes.size(); ++i)
+    patch.bytes[i] = static_cast<std::uint8_t>(random() % 200 / 8 + random() % 24);
+  for (const float relative : {0.0F, 0.12F, 0.3F, 1.0F})
+    for (const float absolute : {0.0F, 6.5F, 7.0F, 255.0F}) {
+      const SegmentationOptions options{.relative_margin = relative, .absolute_margin = absolute};
+      std::vector<std::uint8_t> lanes, single;
+      segment(patch.view(), options, lanes);
+      for (int y = 0; y < patch.height; ++y)
+        for (int x = 0; x < patch.width; ++x) {
+          segment({patch.view().at(x, y), 1, 1, patch.stride}, options, single);
+          ASSERT_EQ(lanes[static_cast<std::size_t>(y * patch.width + x)], single.front()) << x << ' ' << y;
+        }
+    }
+}
+
 TEST(Segmentation, InksKeepTheirLabelUnderMildColourCasts) {
   for (int ink = 0; ink < 3; ++ink)
     for (const Rgb& cast : {Rgb{1.15, 1, 0.8}, Rgb{0.85, 1, 1.15}, Rgb{1, 1.1, 1}})
