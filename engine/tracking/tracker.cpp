@@ -2,6 +2,7 @@
 
 #include "tracking/detector.h"
 #include "tracking/follower.h"
+#include "tracking/look_proof.h"
 #include "tracking/quick_search.h"
 #include "tracking/rgb_image.h"
 
@@ -55,6 +56,11 @@ double shift_in_picture(const Intrinsics& k, const RodModel& rod, const EigenPos
   return largest;
 }
 
+bool shows_well(const Detection& d) {
+  constexpr double share = 0.8;
+  return d.appearance.agrees > share * d.appearance.in_sight;
+}
+
 }  // namespace
 
 class Tracker::Impl {
@@ -64,7 +70,8 @@ class Tracker::Impl {
         options_(options),
         detector_(catalog_, options.independent ? Search::thorough() : Search{}),
         quick_(catalog_, detector_.rods()),
-        followers_(catalog_.markers.size()) {}
+        followers_(catalog_.markers.size()),
+        surprise_(catalog_.markers.size()) {}
 
   void process(const Picture& picture, FrameRecord& record) {
     const Time begin = Time::now();
@@ -143,17 +150,24 @@ class Tracker::Impl {
     const auto off = [&](const EigenPose& pose) {
       return shift_in_picture(picture.intrinsics, rod, pose, moving.pose);
     };
-    if (off(still.pose) < max_slow_shift && lines_.prove(view, marker, rod, moving, prior, f.inks(), d, true))
-      return true;
-    if (lines_.prove(view, marker, rod, moving, prior, f.inks(), d)) {
-      if (off(d.refinement.pose) < max_settled_shift) return true;
-      // From so far off a second look tells better.
-      const Motion found{d.refinement.pose, d.moving ? d.angular : moving.angular, d.moving ? d.linear : moving.linear};
-      lines_.prove(view, marker, rod, found, prior, f.inks(), d, true);
+    // What came as predicted, or hardly moves, will be near again.
+    const bool near = std::min(surprise_[m], off(still.pose)) < max_slow_shift &&
+                      lines_.prove(view, marker, rod, moving, prior, f.inks(), d, true);
+    if (near || lines_.prove(view, marker, rod, moving, prior, f.inks(), d)) {
+      surprise_[m] = off(d.refinement.pose);
+      if (!near && surprise_[m] > max_settled_shift) {
+        // From so far off a second look tells better.
+        const Motion found{d.refinement.pose, d.moving ? d.angular : moving.angular,
+                           d.moving ? d.linear : moving.linear};
+        lines_.prove(view, marker, rod, found, prior, f.inks(), d, true);
+      }
       return true;
     }
-    return lines_.prove(view, marker, rod, still, {}, f.inks(), d) ||
-           detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d);
+    // Where it was it may seem to be in part while it moves on.
+    return (lines_.prove(view, marker, rod, still, {}, f.inks(), d) && shows_well(d)) ||
+           detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d) ||
+           prove_by_look(levels(view), picture.intrinsics, marker, rod, moving.pose, f.inks(), d) ||
+           lines_.prove(view, marker, rod, still, {}, f.inks(), d);
   }
 
   // All that a picture tells of a marker is worth its cost where it stands still: every few pictures it is the next
@@ -264,6 +278,7 @@ class Tracker::Impl {
   Sharpener sharpener_;
   QuickSearch quick_;
   std::vector<Follower> followers_;
+  std::vector<double> surprise_;  // By how much each was off its last prediction, pixels.
   std::vector<bool> found_;
   std::vector<Detection> detections_, measured_;
   std::vector<Vec2d> fruitless_;
