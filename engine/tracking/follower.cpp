@@ -56,12 +56,14 @@ bool Follower::near_prediction(Time t, const Pose& T_world_marker) const {
              shift_slack + reach * linear_acceleration + unknown * linear_speed;
 }
 
-void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance,
-                        const Velocity* velocity) {
+void Follower::measured(Time t, const PoseMeasurement& measurement, const Inks& inks, const Velocity* velocity,
+                        const PoseMeasurement* sharp) {
   const double dt = (t - last_).seconds();
-  if (phase_ == Phase::followed && dt > 0 && dt < max_gap_s) {
-    covariance_ = covariance;
-    learn_velocity(velocity_between(T_world_marker_, T_world_marker, t - last_), dt);
+  const bool goes_on = phase_ == Phase::followed && dt > 0 && dt < max_gap_s;
+  if (!goes_on) filter_.clear();
+  const Pose& now = filter_.add(measurement, sharp).pose;
+  if (goes_on) {
+    learn_velocity(velocity_between(T_world_marker_, now, t - last_), dt);
     moving_ = true;
   } else {
     acceleration_ = {};
@@ -70,19 +72,17 @@ void Follower::measured(Time t, const Pose& T_world_marker, const Inks& inks, co
   }
   phase_ = Phase::followed;
   last_ = t;
-  T_world_marker_ = T_world_marker;
+  T_world_marker_ = now;
   inks_ = inks;
-  covariance_ = covariance;
 }
 
 // What the change of the velocity says of the acceleration, as far as it stands out of what the measurements' own
 // errors would make of it (Wiener's factor).
 void Follower::learn_velocity(const Velocity& mean, double dt) {
   const Velocity before = moving_ ? mean_velocity_ : mean;
-  const auto learn = [&](Vec3 from, Vec3 to, std::size_t first) {
+  const auto learn = [&](Vec3 from, Vec3 to, Eigen::Index first) {
     const Vec3 a = (to - from) / dt;
-    double variance = 0;
-    for (std::size_t i = first; i < first + 3; ++i) variance += covariance_[7 * i];
+    const double variance = covariance().diagonal().segment<3>(first).sum();
     const double noise = 6 * variance / (dt * dt * dt * dt), signal = std::max(0.0, dot(a, a) - noise);
     return signal / (signal + noise + 1e-12) * a;
   };
@@ -109,11 +109,12 @@ void Follower::missed(Time t, const TrackerOptions& options) {
     phase_ = Phase::lost;
 }
 
-std::array<double, 36> Follower::predicted_covariance(Time t) const {
+Matrix6d Follower::predicted_covariance(Time t) const {
   const double dt = (t - last_).seconds();
   const double turn = 0.5 * angular_acceleration * dt * dt, shift = 0.5 * linear_acceleration * dt * dt;
-  std::array<double, 36> c = covariance_;
-  for (std::size_t i = 0; i < 6; ++i) c[7 * i] += i < 3 ? turn * turn : shift * shift;
+  Matrix6d c = covariance();
+  c.diagonal().head<3>().array() += turn * turn;
+  c.diagonal().tail<3>().array() += shift * shift;
   return c;
 }
 

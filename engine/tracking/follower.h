@@ -2,6 +2,7 @@
 
 #include "core/frame_record.h"
 #include "tracking/detector.h"
+#include "tracking/pose_filter.h"
 #include "tracking/tracker.h"
 
 namespace onestroke {
@@ -21,12 +22,16 @@ class Follower {
   /// A hand can have brought the marker from where it was last seen to this pose, or to this pose from where it was
   /// last found to be implausible: twice in one place is no mistake. True where it is not followed.
   bool plausible(Time t, const Pose& T_world_marker);
-  /// Where it was last measured, T_world_marker.
+  /// Where it was last measured, T_world_marker, as that and the measurements before it tell together; and the
+  /// covariance, world axes.
   const Pose& last_seen() const { return T_world_marker_; }
-  /// Takes a measurement in. `velocity`: of T_world_marker, where the picture told it well, or else nullptr; it counts
-  /// where no measurement shortly before tells it better.
-  void measured(Time t, const Pose& T_world_marker, const Inks& inks, const std::array<double, 36>& covariance,
-                const Velocity* velocity = nullptr);
+  const Matrix6d& covariance() const { return filter_.estimate().covariance; }
+  /// It has not moved for as long as that many pictures tell.
+  int standing_for() const { return filter_.estimate().pictures; }
+  /// Takes a picture's measurement in, world axes. `velocity`: of T_world_marker, where the picture told it well, or
+  /// else nullptr; it counts where no measurement shortly before tells it better. `sharp`: PoseFilter's.
+  void measured(Time t, const PoseMeasurement& measurement, const Inks& inks, const Velocity* velocity = nullptr,
+                const PoseMeasurement* sharp = nullptr);
   /// The marker was not found at a time: followed becomes lost, and lost becomes unknown.
   void missed(Time t, const TrackerOptions& options);
   void forget() { *this = {}; }
@@ -34,8 +39,8 @@ class Follower {
   Velocity velocity() const { return velocity_; }
   /// How certain the velocity is at a time.
   VelocityPrior velocity_prior(Time t) const;
-  /// Covariance of the prediction: the last measurement's, grown with the time since.
-  std::array<double, 36> predicted_covariance(Time t) const;
+  /// Covariance of the prediction, world axes: the last measurement's, grown with the time since.
+  Matrix6d predicted_covariance(Time t) const;
 
  private:
   Phase phase_ = Phase::unknown;
@@ -52,7 +57,7 @@ class Follower {
   Time doubted_;
   Pose T_world_doubted_;
   Inks inks_;
-  std::array<double, 36> covariance_{};
+  PoseFilter filter_;
 };
 
 }  // namespace onestroke

@@ -16,9 +16,10 @@ bool believable(const RodModel& rod, const Refinement& refinement, const Appeara
 /// by one thread at a time.
 class LineProof {
  public:
-  /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue.
+  /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue; `slow`: it is no more
+  /// than some pixels off what is expected, and a closer look is taken at once.
   bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const VelocityPrior& prior,
-             const Inks& inks, Detection& detection);
+             const Inks& inks, Detection& detection, bool slow = false);
 
  private:
   LineFitter fitter_;

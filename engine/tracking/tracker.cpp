@@ -2,11 +2,13 @@
 
 #include "tracking/detector.h"
 #include "tracking/follower.h"
+#include "tracking/look_proof.h"
 #include "tracking/quick_search.h"
 #include "tracking/rgb_image.h"
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace onestroke {
 namespace {
@@ -24,7 +26,11 @@ Velocity in_camera(const Velocity& v, const Pose& T_world_camera) {
   return {rotate(to_camera, v.angular), rotate(to_camera, v.linear)};
 }
 
-// The same the other way round.
+PoseMeasurement in_world(const Refinement& r, const Pose& T_world_camera) {
+  return {T_world_camera * from_eigen(r.pose), turned(r.covariance, T_world_camera.rotation)};
+}
+
+// As in_camera(), the other way round.
 Velocity in_world(const Detection& d, const Pose& T_world_camera) {
   const auto turned = [&](const Vec3d& v) { return rotate(T_world_camera.rotation, Vec3{v.x(), v.y(), v.z()}); };
   return {turned(d.angular), turned(d.linear)};
@@ -38,6 +44,23 @@ bool tells_velocity(const Detection& d) {
          variance.tail<3>().maxCoeff() < linear_sigma * linear_sigma;
 }
 
+// By how much the tips and the corner of a rod are apart at two poses, pixels.
+double shift_in_picture(const Intrinsics& k, const RodModel& rod, const EigenPose& a, const EigenPose& b) {
+  double largest = 0;
+  for (const int e : {0, rod.cell_count() / 2, rod.cell_count()}) {
+    Vec2d p, q;
+    if (!project(k, a * rod.edge(e).centre, p) || !project(k, b * rod.edge(e).centre, q))
+      return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, (p - q).norm());
+  }
+  return largest;
+}
+
+bool shows_well(const Detection& d) {
+  constexpr double share = 0.8;
+  return d.appearance.agrees > share * d.appearance.in_sight;
+}
+
 }  // namespace
 
 class Tracker::Impl {
@@ -47,7 +70,8 @@ class Tracker::Impl {
         options_(options),
         detector_(catalog_, options.independent ? Search::thorough() : Search{}),
         quick_(catalog_, detector_.rods()),
-        followers_(catalog_.markers.size()) {}
+        followers_(catalog_.markers.size()),
+        surprise_(catalog_.markers.size()) {}
 
   void process(const Picture& picture, FrameRecord& record) {
     const Time begin = Time::now();
@@ -83,15 +107,15 @@ class Tracker::Impl {
 
   // A pose that no hand could have brought about is a mistake, however well it fits: what is followed goes on as
   // predicted, and once it counts as lost any pose is as good as another.
-  void take(const Picture& picture, const Detection& d) {
+  void take(const Picture& picture, const Detection& d, const Refinement* sharp = nullptr) {
     const auto m = static_cast<std::size_t>(d.marker);
-    const Pose T_world_marker = picture.T_world_camera * from_eigen(d.refinement.pose);
-    if (!followers_[m].plausible(time_, T_world_marker)) return;
+    const PoseMeasurement measured = in_world(d.refinement, picture.T_world_camera);
+    if (!followers_[m].plausible(time_, measured.pose)) return;
     found_[m] = true;
     measured_.push_back(d);
     const Velocity seen = in_world(d, picture.T_world_camera);
-    followers_[m].measured(time_, T_world_marker, d.inks, flatten(d.refinement.covariance),
-                           tells_velocity(d) ? &seen : nullptr);
+    const PoseMeasurement sharper = sharp ? in_world(*sharp, picture.T_world_camera) : PoseMeasurement{};
+    followers_[m].measured(time_, measured, d.inks, tells_velocity(d) ? &seen : nullptr, sharp ? &sharper : nullptr);
   }
 
   // Smoothing takes longer than following, and is seldom needed then.
@@ -101,25 +125,71 @@ class Tracker::Impl {
     return smoothed_;
   }
 
-  // Looks for each marker where it must be: predicted by its velocity, or where it last was if it stopped.
   void follow(const Picture& picture, const TimedView& view) {
-    const Pose T_camera_world = inverse(picture.T_world_camera);
+    ++since_sharpened_;
+    const std::size_t to_sharpen = next_to_sharpen();
     for (std::size_t m = 0; m < followers_.size(); ++m) {
-      const Follower& f = followers_[m];
-      if (f.phase() != Follower::Phase::followed) continue;
-      const Velocity velocity = in_camera(f.velocity(), picture.T_world_camera);
-      const Motion moving{to_eigen(T_camera_world * f.predict(time_)), to_eigen(velocity.angular),
-                          to_eigen(velocity.linear)};
-      // A hand that stops at once is as likely as one that a bad measurement made seem to move.
-      const Motion still{to_eigen(T_camera_world * f.last_seen())};
-      const int marker = static_cast<int>(m);
-      const RodModel& rod = detector_.rod(marker);
-      Detection d;
-      if (lines_.prove(view, marker, rod, moving, f.velocity_prior(time_), f.inks(), d) ||
-          lines_.prove(view, marker, rod, still, {}, f.inks(), d) ||
-          detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d))
-        take(picture, d);
+      Detection d, sharp;
+      if (followers_[m].phase() != Follower::Phase::followed || !find_near(picture, view, m, d)) continue;
+      take(picture, d, m == to_sharpen && sharpen(view, d, sharp) ? &sharp.refinement : nullptr);
     }
+  }
+
+  // Looks for a marker where it must be: predicted by its velocity, or where it last was if it stopped.
+  bool find_near(const Picture& picture, const TimedView& view, std::size_t m, Detection& d) {
+    const Follower& f = followers_[m];
+    const int marker = static_cast<int>(m);
+    const RodModel& rod = detector_.rod(marker);
+    const Pose T_camera_world = inverse(picture.T_world_camera);
+    const Velocity velocity = in_camera(f.velocity(), picture.T_world_camera);
+    const Motion moving{to_eigen(T_camera_world * f.predict(time_)), to_eigen(velocity.angular),
+                        to_eigen(velocity.linear)};
+    // A hand that stops at once is as likely as one that a bad measurement made seem to move.
+    const Motion still{to_eigen(T_camera_world * f.last_seen())};
+    const VelocityPrior prior = f.velocity_prior(time_);
+    const auto off = [&](const EigenPose& pose) {
+      return shift_in_picture(picture.intrinsics, rod, pose, moving.pose);
+    };
+    // What came as predicted, or hardly moves, will be near again.
+    const bool near = std::min(surprise_[m], off(still.pose)) < max_slow_shift &&
+                      lines_.prove(view, marker, rod, moving, prior, f.inks(), d, true);
+    if (near || lines_.prove(view, marker, rod, moving, prior, f.inks(), d)) {
+      surprise_[m] = off(d.refinement.pose);
+      if (!near && surprise_[m] > max_settled_shift) {
+        // From so far off a second look tells better.
+        const Motion found{d.refinement.pose, d.moving ? d.angular : moving.angular,
+                           d.moving ? d.linear : moving.linear};
+        lines_.prove(view, marker, rod, found, prior, f.inks(), d, true);
+      }
+      return true;
+    }
+    // Where it was it may seem to be in part while it moves on.
+    return (lines_.prove(view, marker, rod, still, {}, f.inks(), d) && shows_well(d)) ||
+           detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d) ||
+           prove_by_look(levels(view), picture.intrinsics, marker, rod, moving.pose, f.inks(), d) ||
+           lines_.prove(view, marker, rod, still, {}, f.inks(), d);
+  }
+
+  // All that a picture tells of a marker is worth its cost where it stands still: every few pictures it is the next
+  // one's turn. The number of markers where it is nobody's.
+  std::size_t next_to_sharpen() const {
+    const std::size_t n = followers_.size();
+    if (since_sharpened_ < sharpen_every) return n;
+    for (std::size_t i = 1; i <= n; ++i) {
+      const Follower& f = followers_[(last_sharpened_ + i) % n];
+      if (f.phase() == Follower::Phase::followed && f.standing_for() >= sharpen_when_standing_for)
+        return (last_sharpened_ + i) % n;
+    }
+    return n;
+  }
+
+  // False where it told no more than following did.
+  bool sharpen(const TimedView& view, const Detection& d, Detection& sharp) {
+    last_sharpened_ = static_cast<std::size_t>(d.marker);
+    since_sharpened_ = 0;
+    sharp = d;
+    sharpener_.sharpen(view, detector_.rod(d.marker), sharp);
+    return sharp.refinement.covariance != d.refinement.covariance;
   }
 
   // For all when nothing is known, for a marker in hand that was missed, and now and then for newcomers.
@@ -183,16 +253,17 @@ class Tracker::Impl {
   }
 
   void report(const Picture& picture, FrameRecord& record) {
+    const Pose T_camera_world = inverse(picture.T_world_camera);
     for (const Detection& d : measured_) {
       if (record.marker_count == max_markers_per_frame) return;
       MarkerObservation& o = add(record, static_cast<std::size_t>(d.marker));
       o.state = MarkerState::measured;
-      o.T_camera_marker = from_eigen(d.refinement.pose);
-      o.covariance = flatten(d.refinement.covariance);
+      const Follower& f = followers_[static_cast<std::size_t>(d.marker)];
+      o.T_camera_marker = T_camera_world * f.last_seen();
+      o.covariance = flatten(turned(f.covariance(), T_camera_world.rotation));
       o.cells_seen = std::min(static_cast<int>(d.appearance.cells.size()), max_cells_per_marker);
       std::copy_n(d.appearance.cells.begin(), o.cells_seen, o.cells.begin());
     }
-    const Pose T_camera_world = inverse(picture.T_world_camera);
     for (std::size_t m = 0; m < followers_.size(); ++m) {
       Follower& f = followers_[m];
       if (found_[m]) continue;
@@ -201,7 +272,7 @@ class Tracker::Impl {
       MarkerObservation& o = add(record, m);
       o.state = f.phase() == Follower::Phase::followed ? MarkerState::predicted : MarkerState::lost;
       o.T_camera_marker = T_camera_world * f.predict(time_);
-      o.covariance = f.predicted_covariance(time_);
+      o.covariance = flatten(turned(f.predicted_covariance(time_), T_camera_world.rotation));
       o.cells_seen = 0;
     }
   }
@@ -210,8 +281,10 @@ class Tracker::Impl {
   TrackerOptions options_;
   Detector detector_;
   LineProof lines_;
+  Sharpener sharpener_;
   QuickSearch quick_;
   std::vector<Follower> followers_;
+  std::vector<double> surprise_;  // By how much each was off its last prediction, pixels.
   std::vector<bool> found_;
   std::vector<Detection> detections_, measured_;
   std::vector<Vec2d> fruitless_;
@@ -220,8 +293,11 @@ class Tracker::Impl {
   Levels smoothed_;
   bool levels_made_ = false;
   Time time_, last_time_;
-  static constexpr int long_ago = 1 << 20;  // Pictures.
-  int since_search_ = 0, since_thorough_ = long_ago;
+  static constexpr int long_ago = 1 << 20;                              // Pictures.
+  static constexpr double max_slow_shift = 2, max_settled_shift = 0.5;  // Pixels.
+  static constexpr int sharpen_when_standing_for = 4, sharpen_every = 3;
+  int since_search_ = 0, since_thorough_ = long_ago, since_sharpened_ = 0;
+  std::size_t last_sharpened_ = 0;
 };
 
 Tracker::Tracker(Catalog catalog, const TrackerOptions& options)

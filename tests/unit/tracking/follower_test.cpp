@@ -13,10 +13,8 @@ Time at_ms(std::int64_t ms) {
   return {ms * 1'000'000};
 }
 
-std::array<double, 36> unit_covariance() {
-  std::array<double, 36> c{};
-  for (std::size_t i = 0; i < 6; ++i) c[7 * i] = 1e-6;
-  return c;
+Matrix6d unit_covariance() {
+  return 1e-6 * Matrix6d::Identity();
 }
 
 /// Turns at 1 rad/s about z and moves at 100 mm/s along x.
@@ -27,7 +25,7 @@ Pose moving(Time t) {
 
 Follower followed(std::initializer_list<std::int64_t> times) {
   Follower f;
-  for (const std::int64_t ms : times) f.measured(at_ms(ms), moving(at_ms(ms)), {}, unit_covariance());
+  for (const std::int64_t ms : times) f.measured(at_ms(ms), {moving(at_ms(ms)), unit_covariance()}, {});
   return f;
 }
 
@@ -56,23 +54,22 @@ TEST(Follower, PredictsConstantVelocity) {
 TEST(Follower, PredictsConstantAcceleration) {
   Follower f;
   const auto at = [](double s) { return Pose{{}, {100 * s + 900 * s * s, 20, 400}}; };
-  for (const int ms : {0, 33, 66, 99}) f.measured(at_ms(ms), at(ms * 1e-3), {}, unit_covariance());
+  for (const int ms : {0, 33, 66, 99}) f.measured(at_ms(ms), {at(ms * 1e-3), unit_covariance()}, {});
   EXPECT_NEAR(f.velocity().linear.x, 100 + 2 * 900 * 0.099, 2);
   EXPECT_LT(norm(f.predict(at_ms(132)).translation - at(0.132).translation), 0.1);
 }
 
 TEST(Follower, WhatMeasurementsErrByIsNoAcceleration) {
   Follower f;
-  std::array<double, 36> loose{};
-  for (std::size_t i = 0; i < 6; ++i) loose[7 * i] = 4;
-  for (const int ms : {0, 33, 66, 99}) f.measured(at_ms(ms), {{}, {ms % 2 ? 1.0 : -1.0, 0, 400}}, {}, loose);
+  const Matrix6d loose = 4 * Matrix6d::Identity();
+  for (const int ms : {0, 33, 66, 99}) f.measured(at_ms(ms), {{{}, {ms % 2 ? 1.0 : -1.0, 0, 400}}, loose}, {});
   EXPECT_LT(norm(f.predict(at_ms(132)).translation - Vec3{0, 0, 400}), 5);
 }
 
 TEST(Follower, AVelocityThatOnePictureToldIsTaken) {
   Follower f;
   const Velocity told{{0, 2, 0}, {50, 0, 0}};
-  f.measured(at_ms(0), moving(at_ms(0)), {}, unit_covariance(), &told);
+  f.measured(at_ms(0), {moving(at_ms(0)), unit_covariance()}, {}, &told);
   EXPECT_EQ(f.velocity().angular.y, 2);
   EXPECT_NEAR(f.predict(at_ms(100)).translation.x, moving(at_ms(0)).translation.x + 5, 1e-9);
 }
@@ -116,7 +113,7 @@ TEST(Follower, AMeasurementEndsTheLoss) {
   Follower f = followed({0, 33});
   f.missed(at_ms(400), options);
   ASSERT_EQ(f.phase(), Phase::lost);
-  f.measured(at_ms(430), moving(at_ms(430)), {}, unit_covariance());
+  f.measured(at_ms(430), {moving(at_ms(430)), unit_covariance()}, {});
   EXPECT_EQ(f.phase(), Phase::followed);
   EXPECT_EQ(norm(f.velocity().linear), 0) << "what it did while it was lost is not known";
 }
@@ -132,9 +129,9 @@ TEST(Follower, PredictionsGrowUncertainWithTime) {
   const auto now = f.predicted_covariance(at_ms(33)), soon = f.predicted_covariance(at_ms(66)),
              later = f.predicted_covariance(at_ms(133));
   EXPECT_EQ(now, unit_covariance());
-  for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_GT(soon[7 * i], now[7 * i]);
-    EXPECT_GT(later[7 * i], soon[7 * i]);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_GT(soon(i, i), now(i, i));
+    EXPECT_GT(later(i, i), soon(i, i));
   }
 }
 
