@@ -24,6 +24,16 @@ double tukey(double u) {
   return v * v;
 }
 
+// The upper one of the middle values; there must be a value.
+double median_of(std::span<double> v) {
+  if (v.size() == 1) return v[0];
+  if (v.size() == 2) return std::max(v[0], v[1]);
+  if (v.size() == 3) return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2]));
+  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
 // One pass's measurements, solved for N of the 12 unknowns and for the growths.
 template <int N>
 class Solver {
@@ -84,6 +94,11 @@ class Solver {
 
  private:
   using Group = LineMemory::Group;
+  // Standard deviations: of what a group is off by as a whole, pixels, and of a single line in units of its own.
+  struct Scatter {
+    double common = 1, single = 1;
+  };
+
   // A line as a row of the system: the derivatives of its offset by the unknowns, the offset, and by_growth.
   static constexpr int width = N + 2, at_offset = N, at_growth = N + 1;
   using Row = Eigen::Matrix<double, width, 1>;
@@ -112,45 +127,43 @@ class Solver {
            r[at_growth] * delta_[N + set_.lines[i].growth];
   }
 
-  // Of what was gathered; there must be something.
-  double median() {
-    const auto middle = memory_.scratch.begin() + static_cast<std::ptrdiff_t>(memory_.scratch.size() / 2);
-    std::nth_element(memory_.scratch.begin(), middle, memory_.scratch.end());
-    return *middle;
-  }
-
   // 1.4826 times the median of absolute values: the standard deviation, outliers aside.
-  double spread() { return memory_.scratch.empty() ? 0 : 1.4826 * median(); }
+  static double spread(std::span<double> values) { return values.empty() ? 0 : 1.4826 * median_of(values); }
 
   void weigh() {
-    memory_.residuals.resize(set_.lines.size());
-    for (std::size_t i = 0; i < memory_.residuals.size(); ++i) memory_.residuals[i] = residual(i);
-    for (const bool ring : {true, false}) {
-      for (Group& g : memory_.groups)
-        if (g.ring == ring) g.effect = median_effect(g);
-      memory_.scratch.clear();
-      for (const Group& g : memory_.groups)
-        if (g.ring == ring) memory_.scratch.push_back(std::abs(g.effect));
-      Scatter& s = ring ? ring_ : outline_;
-      s.common = std::max(min_common_sigma, spread());
-      for (Group& g : memory_.groups)
-        if (g.ring == ring) g.weight = tukey(g.effect / (cutoff * s.common));
-      memory_.scratch.clear();
-      for (const Group& g : memory_.groups)
-        if (g.ring == ring)
-          for (std::size_t i = g.first; i < g.last; ++i) {
-            const LineMeasurement& m = set_.lines[i];
-            memory_.scratch.push_back(std::abs(memory_.residuals[i] - m.by_growth * g.effect) / m.sigma);
-          }
-      s.single = std::max(1.0, spread());
+    const std::size_t count = set_.lines.size();
+    memory_.residuals.resize(count);
+    memory_.scratch.resize(count);
+    for (std::size_t i = 0; i < count; ++i) memory_.residuals[i] = residual(i);
+    // Ring edges come before the outline.
+    const auto outline =
+        std::find_if(memory_.groups.begin(), memory_.groups.end(), [](const Group& g) { return !g.ring; });
+    weigh({memory_.groups.begin(), outline}, ring_);
+    weigh({outline, memory_.groups.end()}, outline_);
+  }
+
+  void weigh(std::span<Group> groups, Scatter& s) {
+    double* const scratch = memory_.scratch.data();
+    for (Group& g : groups) g.effect = median_effect(g);
+    std::size_t n = 0;
+    for (const Group& g : groups) scratch[n++] = std::abs(g.effect);
+    s.common = std::max(min_common_sigma, spread({scratch, n}));
+    n = 0;
+    for (Group& g : groups) {
+      g.weight = tukey(g.effect / (cutoff * s.common));
+      for (std::size_t i = g.first; i < g.last; ++i) {
+        const LineMeasurement& m = set_.lines[i];
+        scratch[n++] = std::abs(memory_.residuals[i] - m.by_growth * g.effect) / m.sigma;
+      }
     }
+    s.single = std::max(1.0, spread({scratch, n}));
   }
 
   double median_effect(const Group& g) {
-    memory_.scratch.clear();
-    for (std::size_t i = g.first; i < g.last; ++i)
-      memory_.scratch.push_back(memory_.residuals[i] / set_.lines[i].by_growth);
-    return median();
+    double* const scratch = memory_.scratch.data();
+    std::size_t n = 0;
+    for (std::size_t i = g.first; i < g.last; ++i) scratch[n++] = memory_.residuals[i] / set_.lines[i].by_growth;
+    return median_of({scratch, n});
   }
 
   void accumulate() {
@@ -215,11 +228,6 @@ class Solver {
             own * sides[static_cast<std::size_t>(b)][at_growth] / (along[at_growth] + 1 / (s.common * s.common));
     }
   }
-
-  // Standard deviations: of what a group is off by as a whole, pixels, and of a single line in units of its own.
-  struct Scatter {
-    double common = 1, single = 1;
-  };
 
   const LineSet& set_;
   LineMemory& memory_;
