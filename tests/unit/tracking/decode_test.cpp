@@ -106,6 +106,18 @@ TEST(Decode, GapsKeepTheirPlaces) {
   EXPECT_EQ(readings[0].agree, 15);
 }
 
+// What one piece alone says is said by its own chain already.
+TEST(Decode, JoinedRowsAreReadForWhatTheirPiecesSayTogether) {
+  const Catalog catalog = catalog_of(8);
+  Seen seen;
+  seen.add(code(catalog, 3), 2, 14, false, {5, 6, 7, 8});
+  seen.chains[0].joints = {5};
+  const std::vector<Reading> readings = read_chains(catalog, seen.cells, seen.chains);
+  ASSERT_FALSE(readings.empty());
+  expect_read(readings.front(), 3, 2, 14, false);
+  for (const Reading& r : readings) EXPECT_TRUE(r.begin < 5 && r.end > 5);
+}
+
 TEST(Decode, ARowThatRunsPastTheTipIsReadAsFarAsItGoes) {
   const Catalog catalog = catalog_of(4);
   const Cells& whole = code(catalog, 1);

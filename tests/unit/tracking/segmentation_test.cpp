@@ -104,6 +104,18 @@ TEST(Segmentation, BlueGainReadsLamplight) {
   EXPECT_EQ(label_of(scaled(inks[1], lamplight), warm), 1);
 }
 
+// As leaves and walls throw it back: green ink has nearly as much red in it.
+TEST(Segmentation, RedGainReadsLightOfAWarmTint) {
+  const Rgb green{98, 104, 49}, blue{100, 73, 78}, red{158, 53, 45};
+  EXPECT_NE(label_of(green), 1);
+  SegmentationOptions tinted;
+  tinted.blue_gain = 1.6F;
+  tinted.red_gain = 0.75F;
+  EXPECT_EQ(label_of(green, tinted), 1);
+  EXPECT_EQ(label_of(blue, tinted), 2);
+  EXPECT_EQ(label_of(red, tinted), 0);
+}
+
 TEST(Segmentation, GreysAndMixturesAreNoInk) {
   for (double level = 0; level <= 255; level += 5) EXPECT_EQ(label_of({level, level, level}), no_ink);
   EXPECT_EQ(label_of({200, 195, 60}), no_ink) << "yellow";
