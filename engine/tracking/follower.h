@@ -34,7 +34,9 @@ class Follower {
                 const PoseMeasurement* sharp = nullptr);
   /// The marker was not found at a time: followed becomes lost, and lost becomes unknown.
   void missed(Time t, const TrackerOptions& options);
-  void forget() { *this = {}; }
+  void forget() {
+    if (ever_seen()) *this = {};
+  }
 
   Velocity velocity() const { return velocity_; }
   /// How certain the velocity is at a time.
