@@ -56,6 +56,9 @@ double shift_in_picture(const Intrinsics& k, const RodModel& rod, const EigenPos
   return largest;
 }
 
+// A pose that is less certain than this, radians, is measured by all lines.
+constexpr double vague_turn = 0.005;
+
 bool shows_well(const Detection& d) {
   constexpr double share = 0.8;
   return d.appearance.agrees > share * d.appearance.in_sight;
@@ -131,6 +134,9 @@ class Tracker::Impl {
     for (std::size_t m = 0; m < followers_.size(); ++m) {
       Detection d, sharp;
       if (followers_[m].phase() != Follower::Phase::followed || !find_near(picture, view, m, d)) continue;
+      // A few lines tell little of an arm that points at the camera.
+      if (d.refinement.covariance.topLeftCorner<3, 3>().trace() > vague_turn * vague_turn)
+        sharpener_.sharpen(view, detector_.rod(d.marker), d);
       take(picture, d, m == to_sharpen && sharpen(view, d, sharp) ? &sharp.refinement : nullptr);
     }
   }
