@@ -57,7 +57,7 @@ double shift_in_picture(const Intrinsics& k, const RodModel& rod, const EigenPos
 }
 
 // A pose that is less certain than this, radians, is measured by all lines.
-constexpr double vague_turn = 0.005;
+constexpr double vague_turn = 0.008;
 
 bool shows_well(const Detection& d) {
   constexpr double share = 0.8;
