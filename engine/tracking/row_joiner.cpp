@@ -41,11 +41,10 @@ RowJoiner::Piece RowJoiner::piece_of(const std::vector<Cell>& cells, const Chain
   }
   const Eigen::Vector2d slope = sum / std::max(square, 1e-9);
   const double first = chain.links.front().position - mean_position, last = chain.links.back().position - mean_position;
-  Piece p{index, reversed, mean, mean + first * slope, mean + last * slope, slope.normalized(), slope.norm(), last};
+  Piece p{index, reversed, mean, mean + first * slope, mean + last * slope, slope.normalized(), slope.norm()};
   if (!reversed) return p;
   std::swap(p.first, p.last);
   p.direction = -p.direction;
-  p.reach = -first;
   return p;
 }
 

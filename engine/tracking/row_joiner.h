@@ -21,8 +21,7 @@ class RowJoiner {
     int chain;
     bool reversed;
     Eigen::Vector2d middle, first, last, direction;
-    double step;   ///< Pixels a position, at the middle.
-    double reach;  ///< Positions from the first cell to the last.
+    double step;  ///< Pixels a position, at the middle.
   };
   struct Link {
     std::size_t to;
