@@ -4,6 +4,8 @@
 
 #include <opencv2/core/hal/intrin.hpp>
 
+#include <cstring>
+
 namespace onestroke {
 
 /// Red, green and blue in one vector, and a fourth lane that means nothing.
@@ -20,8 +22,11 @@ inline ColorLanes sample_lanes(const ImageView& image, double u, double v) {
   }
   const std::uint8_t* p = image.at(x0, y0);
   const std::uint8_t* q = p + image.stride;
+  // OpenCV reads the four bytes as one int, which must lie on a boundary of four.
   const auto pixel = [](const std::uint8_t* at) {
-    return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand_q(at)));
+    alignas(int) std::uint8_t aligned[4];
+    std::memcpy(aligned, at, sizeof aligned);
+    return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand_q(aligned)));
   };
   const ColorLanes fx = cv::v_setall_f32(static_cast<float>(x - x0)), fy = cv::v_setall_f32(static_cast<float>(y - y0));
   const ColorLanes p0 = pixel(p), q0 = pixel(q);

@@ -73,7 +73,7 @@ TEST(CameraModel, DerivativeIsThatOfFiniteDifferences) {
   for (const Intrinsics& k : {plain_camera(), distorted_camera()}) {
     for (int i = 0; i < 200; ++i) {
       const Vec3d p(random.uniform(-200, 200), random.uniform(-150, 150), random.uniform(300, 900));
-      Vec2d pixel, low, high, alone;
+      Vec2d pixel, low = Vec2d::Zero(), high = Vec2d::Zero(), alone;
       Eigen::Matrix<double, 2, 3> derivative;
       ASSERT_TRUE(project(k, p, pixel, derivative));
       ASSERT_TRUE(project(k, p, alone));
