@@ -28,7 +28,12 @@ constexpr double rim = 1.2;
 constexpr float min_contrast = 15;
 // Standard deviation of an edge, pixels: at best, and of what noise adds where inks differ by one level.
 constexpr double best_sigma = 0.06, noise_sigma = 6;
-constexpr double outline_sigma = 0.12;
+constexpr double outline_sigma = 0.1;
+// Lines of one edge nearer to one another than this, pixels, share their noise: the picture's compression has spread
+// it.
+constexpr double shared_noise = 3.6;
+// By how much less the edges beside a corner tell, where the other arm shades this one and colours it.
+constexpr double corner_scatter = 3;
 // Places beside one cell.
 constexpr int max_outlines = 8;
 constexpr float min_outline_contrast = 40;
@@ -119,10 +124,18 @@ class LineMeter {
     whole_ = rod_.shows_whole(section, eye_);
     const int lines = std::clamp(static_cast<int>(2 * widest * radius / options_.spacing),
                                  std::min(3, options_.max_lines), options_.max_lines);
-    for (int i = 0; i < lines; ++i) line(e, section, here, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0);
+    const double apart = 2 * widest * radius / std::max(lines - 1, 1);
+    const double scatter = std::sqrt(std::max(1.0, shared_noise / apart)) * (beside_corner(e) ? corner_scatter : 1);
+    for (int i = 0; i < lines; ++i)
+      line(e, section, here, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0, scatter);
   }
 
-  void line(int e, const RodModel::Section& section, const PlacedSection& here, double sine) {
+  bool beside_corner(int e) const {
+    const Vec3d& before = rod_.middle(std::max(e - 2, 0)).tangent;
+    return before.dot(rod_.middle(std::min(e + 1, rod_.cell_count() - 1)).tangent) < 0.9;
+  }
+
+  void line(int e, const RodModel::Section& section, const PlacedSection& here, double sine, double scatter) {
     const double cosine = std::sqrt(1 - sine * sine);
     const Vec3d out = here.out(sine, cosine), x = here.surface(rod_.radius(), out);
     if (-out.dot(x) < min_facing * x.norm()) return;
@@ -150,7 +163,7 @@ class LineMeter {
     const Vec3d turn = here.tangent.cross(out) * rod_.radius();
     const Vec3d rim_step = here.square ? turn : Vec3d(turn - (turn.dot(here.cut) / here.along) * here.tangent);
     const double noise = noise_sigma / static_cast<double>(contrast);
-    add(x, px, rim_step, (pb - pa).normalized(), along, std::sqrt(best_sigma * best_sigma + noise * noise), e,
+    add(x, px, rim_step, (pb - pa).normalized(), along, scatter * std::sqrt(best_sigma * best_sigma + noise * noise), e,
         growth_of(rod_.ink(e - 1), rod_.ink(e)));
   }
 

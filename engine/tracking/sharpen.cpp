@@ -7,7 +7,7 @@ namespace onestroke {
 namespace {
 
 // From as far as a shutter that rolls may have put the pose off to the edges themselves.
-constexpr std::array<LineOptions, 4> passes{{{8}, {5}, {4}, {4}}};
+constexpr std::array<LineOptions, 4> passes{{{8}, {5}, {4}, {4, 1.2, 80, 1.7}}};
 // Cells shorter than this, pixels, run together.
 constexpr double min_pitch = 8;
 // Lines that scatter more, pixels, are of a picture out of focus; and a pose less certain than this, radians, is better
