@@ -12,15 +12,24 @@ namespace onestroke {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Vector7d = Eigen::Matrix<double, 7, 1>;
+using Matrix7d = Eigen::Matrix<double, 7, 7>;
 using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
 // Blur of both pictures beyond the camera's own, from wide, which draws a far start in, to narrow. Working pixels.
-constexpr std::array<double, 10> extra_blur{2.5, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5};
-// Blurs of the camera that are tried, working pixels, and what it is taken for until one is chosen.
-constexpr std::array<double, 7> camera_blurs{0.35, 0.6, 0.9, 1.3, 1.9, 2.7, 3.8};
+constexpr std::array<double, 12> extra_blur{2.5, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+// Blurs of the camera that are tried, working pixels, what it is taken for until one is chosen, and at which steps that
+// is.
+constexpr std::array<double, 9> camera_blurs{0.35, 0.6, 0.9, 1.3, 1.9, 2.7, 3.8, 4.6, 5.5};
 constexpr double usual_blur = 0.6;
 constexpr std::array<std::size_t, 2> blur_chosen_at{1, 4};
+constexpr double momentum = 0.8;
+// From afar no more steps than these are taken: what little an arm at the camera shows draws no further.
+constexpr std::size_t steps_from_afar = 10;
+// The rod may look thicker than it is, as the brighter one of two things does: standard deviation, mm.
+constexpr double growth_sigma = 0.1;
+constexpr double no_growth = 1e12;
 
 // An ink shows more of its own channel than any other ink does, by this share at least.
 constexpr float min_ink_lead = 0.06F;
@@ -31,6 +40,9 @@ constexpr std::array<float, 4> spreads{0.02F, 0.035F, 0.06F, 0.1F};
 // While the pose is not fitted yet, what shows on the rod may be another ring than predicted.
 constexpr float may_be_any_ring = 0.3F;
 
+// What a blur is worth with which nothing shows.
+constexpr double nowhere = -1e9;
+
 class Fitter {
  public:
   Fitter(const ImageView& image, const Intrinsics& k, const RodModel& rod, const Inks& inks, const Surroundings& around)
@@ -38,6 +50,7 @@ class Fitter {
 
   PhotometricFit run(const EigenPose& start, const PhotometricOptions& options) {
     result_.pose = start;
+    near_ = options.near;
     if (!raster_.crop(start)) return result_;
     camera_blur_ = options.blur > 0 ? options.blur / raster_.factor() : usual_blur;
     result_.valid = (options.fit ? fit(options.blur == 0) : look()) && score();
@@ -55,7 +68,9 @@ class Fitter {
 
   bool fit(bool find_blur) {
     EigenPose& pose = result_.pose;
-    for (std::size_t i = 0; i < extra_blur.size(); ++i) {
+    Vector6d last = Vector6d::Zero();
+    const std::size_t steps = near_ ? extra_blur.size() : steps_from_afar;
+    for (std::size_t i = 0; i < steps; ++i) {
       blur_picture(extra_blur[i]);
       if (!cast()) return false;
       if (i == 0 && !first_weights()) return false;
@@ -64,6 +79,9 @@ class Fitter {
       if (!reweigh()) return false;
       Vector6d step;
       if (!solve(step)) return false;
+      // Shading and weights follow the pose a step behind, so that steps come out short.
+      if (near_ && i > 4 && step.head<3>().dot(last.head<3>()) > 0) step += momentum * last;
+      last = step;
       const double turn = step.head<3>().norm(), shift = step.tail<3>().norm() / pose.t.norm();
       step *= std::min({1.0, 0.15 / std::max(turn, 1e-12), 0.05 / std::max(shift, 1e-12)});
       pose = perturbed(pose, step);
@@ -138,6 +156,7 @@ class Fitter {
     evidence_.sample(seen_);
     evidence_.weigh(inks_.spread(), may_be_any_ring);
     visible_probabilities(evidence_.against_plain(), visible_);
+    evident_ = visible_or_covered(evidence_.against_plain());
     errors_.clear();
     for (const auto& [y, x, i] : raster_.spots())
       if (raster_.on_rod(y, x) && visible(i) > 0.5F) errors_.push_back(look_.known(y, x) ? error(y, x) : 1.0F);
@@ -178,16 +197,19 @@ class Fitter {
     return std::sqrt((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 3) / level(y, x);
   }
 
+  // The blur with which the rod shows best, where it is sure to be there, or else the one with which it errs least.
   void choose_blur() {
-    double best = 1e9, chosen = camera_blur_;
     const cv::Mat before = weight_.clone();
+    double best = nowhere, chosen = camera_blur_;
     for (const double candidate : camera_blurs) {
-      // Once chosen it changes little.
-      if (chosen_ && (candidate < 0.6 * chosen || candidate > 1.6 * chosen)) continue;
+      // From afar it changes little once it is chosen.
+      if (!near_ && chosen_ && (candidate < 0.6 * chosen || candidate > 1.6 * chosen)) continue;
       camera_blur_ = candidate;
       before.copyTo(weight_);
-      if (!reweigh() || cost_ >= best) continue;
-      best = cost_;
+      if (!reweigh()) continue;
+      const double worth = near_ ? evident_ : -cost_;
+      if (worth <= best) continue;
+      best = worth;
       chosen = candidate;
     }
     camera_blur_ = chosen;
@@ -195,9 +217,10 @@ class Fitter {
     before.copyTo(weight_);
   }
 
+  // Gauss-Newton on the pose and the growth, which is taken for linear: it is a tenth of a pixel.
   bool solve(Vector6d& step) {
-    Matrix6d hessian = Matrix6d::Zero();
-    Vector6d gradient = Vector6d::Zero();
+    Matrix7d hessian = Matrix7d::Zero();
+    Vector7d gradient = Vector7d::Zero();
     const cv::Mat& picture = look_.picture();
     double total = 0;
     for (const auto& [y, x, i] : raster_.spots()) {
@@ -211,28 +234,39 @@ class Fitter {
       const Pixel3 dy = (picture.at<Pixel3>(y + 1, x) - picture.at<Pixel3>(y - 1, x)) * 0.5F;
       const Pixel3 r = seen_.at<Pixel3>(y, x) - picture.at<Pixel3>(y, x);
       const double norm = 1 / level(y, x);
-      const Vec3d arm = raster_.point(i) - result_.pose.t;
+      const Vec3d arm = raster_.point(i) - result_.pose.t, out = outwards(i);
       total += w;
       for (int c = 0; c < 3; ++c) {
         if (std::abs(dx[c]) + std::abs(dy[c]) < 1e-5F) continue;
         const Vec3d g = -norm / raster_.factor() * (by_point.transpose() * Vec2d(dx[c], dy[c]));
-        Vector6d j;
-        j << arm.cross(g), g;
+        Vector7d j;
+        j << arm.cross(g), g, out.dot(g);
         hessian.selfadjointView<Eigen::Lower>().rankUpdate(j, w);
         gradient += w * norm * r[c] * j;
       }
     }
-    hessian = Matrix6d(hessian.selfadjointView<Eigen::Lower>());
     if (total < 30) return false;
-    Matrix6d damped = hessian;
-    damped.diagonal() *= 1 + 1e-4;
-    step = damped.ldlt().solve(gradient);
-    if (!step.allFinite()) return false;
+    hessian = Matrix7d(hessian.selfadjointView<Eigen::Lower>());
     // Neighbouring pixels err alike within the blur.
     const double alike = std::max(1.0, 4 * std::numbers::pi * extra_ * extra_);
-    const double variance = alike * result_.residual * result_.residual;
-    result_.covariance = covariance_of(hessian / std::max(variance, 1e-12));
+    const double variance = std::max(alike * result_.residual * result_.residual, 1e-12);
+    hessian(6, 6) += near_ ? variance / (growth_sigma * growth_sigma) : no_growth;
+    Matrix7d damped = hessian;
+    damped.diagonal() *= 1 + 1e-4;
+    step = damped.ldlt().solve(gradient).head<6>();
+    if (!step.allFinite()) return false;
+    const Vector6d mixed = hessian.block<6, 1>(0, 6);
+    const Matrix6d pose = hessian.topLeftCorner<6, 6>() - mixed * mixed.transpose() / hessian(6, 6);
+    result_.covariance = covariance_of(pose / variance);
     return true;
+  }
+
+  // How a point of the surface, camera axes, moves as the rod grows.
+  Vec3d outwards(std::size_t i) const {
+    const RodModel& rod = raster_.rod();
+    const RodModel::Section& section = rod.middle(raster_.cell(i));
+    const Vec3d from = raster_.point(i) - result_.pose * section.centre, along = result_.pose.R * section.tangent;
+    return (from - from.dot(along) * along) / rod.radius();
   }
 
   const Inks& inks_;
@@ -240,7 +274,10 @@ class Fitter {
   RodLook look_;
   CellEvidence evidence_;
   PhotometricFit result_;
-  double camera_blur_ = usual_blur, extra_ = 0, cost_ = 0;
+  double camera_blur_ = usual_blur, extra_ = 0;
+  // While the pose is fitted: its mean error, and its proof.
+  double cost_ = 0, evident_ = 0;
+  bool near_ = false;
   bool chosen_ = false;
   cv::Mat seen_, weight_;
   std::vector<float> errors_;

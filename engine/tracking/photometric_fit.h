@@ -19,7 +19,7 @@ struct PhotometricFit {
   double likelihood = 0;
   double weakest_arm = 0;  ///< What the straight arm that shows least has of it.
   double proof = 0;        ///< As the likelihood, a plain thing in place of the rod being among what else it may be.
-  double blur = 0;         ///< Of the picture, as fits best: standard deviation, pixels; tends to be small.
+  double blur = 0;         ///< Of the picture, as shows the rod best: standard deviation along an axis, pixels.
   bool valid = false;
 };
 
@@ -28,13 +28,15 @@ struct PhotometricOptions {
   bool fit = true;
   /// Of the camera where it is known, pixels; 0 where the best is to be found.
   double blur = 0;
+  /// The rod is sure to be there, and the start about as exact as ring edges out of focus leave it.
+  bool near = false;
 };
 
 /// Fits a pose to the whole look of the rod: the rod's picture is computed by casting rays, blurred as the camera
 /// blurs, laid over the surroundings and compared with the picture pixel by pixel, in linear light; Gauss-Newton on the
-/// pose with the flow of the surface points as its derivative, weighted by Tukey's biweight so that covered parts drop
-/// out. Needs no ring edge to be resolved: an arm that points at the camera, cells of three pixels and defocus as wide
-/// as a ring all count for what they show.
+/// pose with the flow of the surface points as its derivative, and on how much thicker than it is the rod looks;
+/// weighted by Tukey's biweight so that covered parts drop out. Needs no ring edge to be resolved: an arm that points
+/// at the camera, cells of three pixels and defocus as wide as a ring all count for what they show.
 PhotometricFit fit_photometric(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod,
                                const Inks& inks, const Surroundings& surroundings, const EigenPose& start,
                                const PhotometricOptions& options = {});

@@ -32,7 +32,7 @@ constexpr double outline_sigma = 0.1;
 // Lines of one edge nearer to one another than this, pixels, share their noise: the picture's compression has spread
 // it.
 constexpr double shared_noise = 3.6;
-// By how much less the edges beside a corner tell, where the other arm shades this one and colours it.
+// By how much less the edges beside a mitre tell, where the other arm shades this one and colours it.
 constexpr double corner_scatter = 3;
 // Places beside one cell.
 constexpr int max_outlines = 8;
@@ -115,7 +115,7 @@ class LineMeter {
   void ring(int e) {
     const RodModel::Section& section = rod_.edge(e);
     // Lines of the two sides of a mitre do not meet.
-    if (rod_.middle(e - 1).tangent.dot(rod_.middle(e).tangent) < 0.5) return;
+    if (mitre(e)) return;
     const PlacedSection& here = placed_.edge(e);
     if (here.centre.z() < 10) return;
     const double radius = k_.fx * rod_.radius() / here.centre.z();
@@ -130,10 +130,10 @@ class LineMeter {
       line(e, section, here, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0, scatter);
   }
 
-  bool beside_corner(int e) const {
-    const Vec3d& before = rod_.middle(std::max(e - 2, 0)).tangent;
-    return before.dot(rod_.middle(std::min(e + 1, rod_.cell_count() - 1)).tangent) < 0.9;
-  }
+  // Cells before and after a cell's end lie on the two sides of a mitre.
+  bool mitre(int e) const { return rod_.middle(e - 1).tangent.dot(rod_.middle(e).tangent) < 0.5; }
+
+  bool beside_corner(int e) const { return (e > 1 && mitre(e - 1)) || (e + 1 < rod_.cell_count() && mitre(e + 1)); }
 
   void line(int e, const RodModel::Section& section, const PlacedSection& here, double sine, double scatter) {
     const double cosine = std::sqrt(1 - sine * sine);

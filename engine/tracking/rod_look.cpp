@@ -12,6 +12,9 @@ namespace {
 using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
+// A blur wider than this, pixels, is defocus, which spreads a point over a disc.
+constexpr double widest_sharp = 2;
+
 // Where this share of a pixel is rod, the pixel tells the rod's colour.
 constexpr float mostly_rod = 0.7F;
 
@@ -19,6 +22,19 @@ constexpr float mostly_rod = 0.7F;
 void local_mean(const cv::Mat& from, cv::Mat& to, double sigma) {
   const int side = 2 * static_cast<int>(std::lround(1.7 * sigma)) + 1;
   cv::blur(from, to, cv::Size(side, side), cv::Point(-1, -1), cv::BORDER_REPLICATE);
+}
+
+// Spreads each pixel evenly over a disc with a standard deviation of `sigma` along each axis.
+void disc_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
+  const double radius = 2 * sigma;
+  const int reach = static_cast<int>(std::ceil(radius));
+  cv::Mat kernel(2 * reach + 1, 2 * reach + 1, CV_32F);
+  for (int y = -reach; y <= reach; ++y)
+    for (int x = -reach; x <= reach; ++x)
+      kernel.at<float>(y + reach, x + reach) =
+          static_cast<float>(std::clamp(radius + 0.5 - std::hypot(x, y), 0.0, 1.0));
+  kernel /= cv::sum(kernel)[0];
+  cv::filter2D(from, to, CV_32F, kernel, cv::Point(-1, -1), 0, cv::BORDER_REPLICATE);
 }
 
 // 0..255 of linear light.
@@ -64,11 +80,20 @@ void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
   cv::GaussianBlur(from, to, cv::Size(2 * reach + 1, 2 * reach + 1), sigma, sigma, cv::BORDER_REPLICATE);
 }
 
+void RodLook::blur_as_camera(double camera_blur, double extra_blur) {
+  if (camera_blur < widest_sharp) {
+    gaussian_blur(raster_.mix(), mix_, std::hypot(camera_blur, extra_blur));
+    return;
+  }
+  disc_blur(raster_.mix(), spread_, camera_blur);
+  gaussian_blur(spread_, mix_, extra_blur);
+}
+
 bool RodLook::compose(const cv::Mat& seen, const cv::Mat& weight, double camera_blur, double extra_blur) {
   seen_ = seen;
   weight_ = weight;
   const double whole = std::hypot(camera_blur, extra_blur);
-  gaussian_blur(raster_.mix(), mix_, whole);
+  blur_as_camera(camera_blur, extra_blur);
   find_surroundings(std::max(3.0, 1.2 * whole));
   if (!find_inks()) return false;
   find_veils();

@@ -13,7 +13,8 @@ Color chroma_of(const cv::Vec3f& linear);
 void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma);
 
 /// The picture that the camera should have taken of a rod that stands where a RodRaster has it: its inks in this light
-/// by least squares, its shading and surroundings by local means of the picture itself, blurred as the camera blurs.
+/// by least squares, its shading and surroundings by local means of the picture itself, blurred as the camera blurs: a
+/// little as by a Gaussian, more as by a disc of defocus.
 class RodLook {
  public:
   /// Borrowed; cast() is called before each compose().
@@ -31,6 +32,7 @@ class RodLook {
   bool known(int y, int x) const { return known_.at<std::uint8_t>(y, x) != 0; }
 
  private:
+  void blur_as_camera(double camera_blur, double extra_blur);
   bool find_inks();
   void find_surroundings(double blur);
   void find_veils();
@@ -43,7 +45,7 @@ class RodLook {
   static constexpr std::size_t arms = 8;
 
   const RodRaster& raster_;
-  cv::Mat seen_, weight_, mix_, outside_, rod_light_, shading_, picture_, known_;
+  cv::Mat seen_, weight_, spread_, mix_, outside_, rod_light_, shading_, picture_, known_;
   std::array<cv::Vec3f, 3> inks_;
   std::array<float, arms> veil_{};  // By arm, the bends first.
   cv::Vec3f white_;

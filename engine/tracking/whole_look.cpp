@@ -30,6 +30,8 @@ constexpr int max_rounds = 2, rolls_a_side = 6;
 constexpr double roll_step = 0.04;
 constexpr std::size_t max_climbs = 24, max_beside = 3;
 constexpr int rivals_an_arm = 3;
+// Nats by which a pose may look less likely for what the rod seems to have grown.
+constexpr double as_likely = 15;
 constexpr std::size_t max_around = 6;
 // Radians.
 constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
@@ -58,11 +60,20 @@ struct WholeLook::Fits {
 
   LikelihoodMeter meter(const Inks& inks) const { return {image, look.intrinsics_, rod, inks, around}; }
 
-  void add(const EigenPose& start, const Inks& inks) {
-    const PhotometricFit f = fit(start, inks);
+  void add(const EigenPose& start, const Inks& inks, const PhotometricOptions& options = {}) {
+    const PhotometricFit f = fit(start, inks, options);
     if (!f.valid) return;
     all.push_back({f, inks});
     likeliest_first(all);
+  }
+
+  // The best fit once more, now that the rod is sure to be there.
+  void settle() {
+    const Fit& best = all.front();
+    const PhotometricFit again = fit(best.pose, best.inks, {.blur = best.blur, .near = true});
+    if (again.valid && again.likelihood > best.likelihood - as_likely &&
+        angle_between(again.pose, best.pose) < same_turn)
+      static_cast<PhotometricFit&>(all.front()) = again;
   }
 
   // Likelihoods are compared before the surroundings of one place: those of the best fit, once it has been drawn in
@@ -257,9 +268,10 @@ void WholeLook::polish(Detection& d) const {
   const bool doubtful = r.rms > loose || r.supported < few * r.expected;
   if (d.likelihood > 0 || (!small && !doubtful)) return;
   Fits fits(*this, d.marker, r.pose);
-  fits.add(r.pose, d.inks);
+  fits.add(r.pose, d.inks, {.near = !small});
   if (doubtful && rod.has_roll()) add_rivals(fits, d);
   if (fits.all.empty()) return;
+  if (!small) fits.settle();
   const Fits::Fit& best = fits.all.front();
   const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, best.blur});
   if (!as_it_was.valid || likelier(as_it_was, best)) return;
