@@ -6,6 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
 namespace onestroke::test {
 namespace {
 
@@ -40,6 +45,47 @@ TEST(PhotometricFit, SeesThroughDefocusAsWideAsARing) {
     const PhotometricFit sharp = fit(shoot(marker, truth), rod, truth, truth);
     EXPECT_GT(f.blur, 1.5) << i;
     EXPECT_LT(sharp.blur, 1.5) << i;
+  }
+}
+
+/// Spreads each pixel evenly over a disc, in linear light, as a lens out of focus does.
+void defocus(Shot& shot, int radius) {
+  std::vector<float> linear(shot.image.rgb.size());
+  std::transform(shot.image.rgb.begin(), shot.image.rgb.end(), linear.begin(),
+                 [](std::uint8_t v) { return std::pow(static_cast<float>(v) / 255, 2.2F); });
+  const int width = shot.image.width, height = shot.image.height;
+  for (int y = radius; y < height - radius; ++y)
+    for (int x = radius; x < width - radius; ++x)
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        int count = 0;
+        for (int dy = -radius; dy <= radius; ++dy)
+          for (int dx = -radius; dx <= radius; ++dx) {
+            if (dx * dx + dy * dy > radius * radius) continue;
+            sum += linear[static_cast<std::size_t>(3 * ((y + dy) * width + x + dx) + c)];
+            ++count;
+          }
+        shot.image.rgb[static_cast<std::size_t>(3 * (y * width + x) + c)] =
+            static_cast<std::uint8_t>(std::lround(255 * std::pow(sum / count, 1 / 2.2)));
+      }
+}
+
+TEST(PhotometricFit, MeasuresARodOutOfFocusFromWhereItsEdgesLeftIt) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  constexpr int radius = 7;
+  for (int i = 0; i < 4; ++i) {
+    const Pose truth = random_view(random);
+    Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
+    defocus(shot, radius);
+    const PhotometricFit f = fit(shot, rod, truth, disturbed(truth, random, 1, 0.5), {.near = true});
+    ASSERT_TRUE(f.valid) << i;
+    EXPECT_LT(turn_between(from_eigen(f.pose), truth), 0.4) << i;
+    EXPECT_LT(shift_between(from_eigen(f.pose), truth), 3e-3) << i;
+    // The radius of a disc is twice its standard deviation along an axis.
+    EXPECT_GT(f.blur, 0.35 * radius) << i;
+    EXPECT_LT(f.blur, 0.65 * radius) << i;
   }
 }
 
