@@ -29,6 +29,7 @@ constexpr double momentum = 0.8;
 constexpr std::size_t steps_from_afar = 10;
 // The rod may look thicker than it is, as the brighter one of two things does: standard deviation, mm.
 constexpr double growth_sigma = 0.1;
+// Information that holds the growth at none.
 constexpr double no_growth = 1e12;
 
 // An ink shows more of its own channel than any other ink does, by this share at least.
@@ -156,7 +157,6 @@ class Fitter {
     evidence_.sample(seen_);
     evidence_.weigh(inks_.spread(), may_be_any_ring);
     visible_probabilities(evidence_.against_plain(), visible_);
-    evident_ = visible_or_covered(evidence_.against_plain());
     errors_.clear();
     for (const auto& [y, x, i] : raster_.spots())
       if (raster_.on_rod(y, x) && visible(i) > 0.5F) errors_.push_back(look_.known(y, x) ? error(y, x) : 1.0F);
@@ -207,7 +207,7 @@ class Fitter {
       camera_blur_ = candidate;
       before.copyTo(weight_);
       if (!reweigh()) continue;
-      const double worth = near_ ? evident_ : -cost_;
+      const double worth = near_ ? visible_or_covered(evidence_.against_plain()) : -cost_;
       if (worth <= best) continue;
       best = worth;
       chosen = candidate;
@@ -274,9 +274,7 @@ class Fitter {
   RodLook look_;
   CellEvidence evidence_;
   PhotometricFit result_;
-  double camera_blur_ = usual_blur, extra_ = 0;
-  // While the pose is fitted: its mean error, and its proof.
-  double cost_ = 0, evident_ = 0;
+  double camera_blur_ = usual_blur, extra_ = 0, cost_ = 0;
   bool near_ = false;
   bool chosen_ = false;
   cv::Mat seen_, weight_;

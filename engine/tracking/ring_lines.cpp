@@ -33,7 +33,7 @@ constexpr double outline_sigma = 0.1;
 // it.
 constexpr double shared_noise = 3.6;
 // By how much less the edges beside a mitre tell, where the other arm shades this one and colours it.
-constexpr double corner_scatter = 3;
+constexpr double mitre_scatter = 3;
 // Places beside one cell.
 constexpr int max_outlines = 8;
 constexpr float min_outline_contrast = 40;
@@ -115,7 +115,7 @@ class LineMeter {
   void ring(int e) {
     const RodModel::Section& section = rod_.edge(e);
     // Lines of the two sides of a mitre do not meet.
-    if (mitre(e)) return;
+    if (rod_.middle(e - 1).tangent.dot(rod_.middle(e).tangent) < 0.5) return;
     const PlacedSection& here = placed_.edge(e);
     if (here.centre.z() < 10) return;
     const double radius = k_.fx * rod_.radius() / here.centre.z();
@@ -125,15 +125,11 @@ class LineMeter {
     const int lines = std::clamp(static_cast<int>(2 * widest * radius / options_.spacing),
                                  std::min(3, options_.max_lines), options_.max_lines);
     const double apart = 2 * widest * radius / std::max(lines - 1, 1);
-    const double scatter = std::sqrt(std::max(1.0, shared_noise / apart)) * (beside_corner(e) ? corner_scatter : 1);
+    const bool beside_mitre = !placed_.edge(e - 1).square || !placed_.edge(e + 1).square;
+    const double scatter = std::sqrt(std::max(1.0, shared_noise / apart)) * (beside_mitre ? mitre_scatter : 1);
     for (int i = 0; i < lines; ++i)
       line(e, section, here, lines > 1 ? widest * (2.0 * i / (lines - 1) - 1) : 0.0, scatter);
   }
-
-  // Cells before and after a cell's end lie on the two sides of a mitre.
-  bool mitre(int e) const { return rod_.middle(e - 1).tangent.dot(rod_.middle(e).tangent) < 0.5; }
-
-  bool beside_corner(int e) const { return (e > 1 && mitre(e - 1)) || (e + 1 < rod_.cell_count() && mitre(e + 1)); }
 
   void line(int e, const RodModel::Section& section, const PlacedSection& here, double sine, double scatter) {
     const double cosine = std::sqrt(1 - sine * sine);
