@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace onestroke {
 namespace {
@@ -24,6 +25,9 @@ constexpr std::array<double, 12> extra_blur{2.5, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0
 constexpr std::array<double, 9> camera_blurs{0.35, 0.6, 0.9, 1.3, 1.9, 2.7, 3.8, 4.6, 5.5};
 constexpr double usual_blur = 0.6;
 constexpr std::array<std::size_t, 2> blur_chosen_at{1, 4};
+// Times the blur chosen, what is tried near by once it is sure to be the right one, and at which step that is.
+constexpr std::array<double, 5> blurs_near_by{0.84, 0.92, 1, 1.09, 1.19};
+constexpr std::size_t blur_measured_at = 7;
 constexpr double momentum = 0.8;
 // From afar no more steps than these are taken: what little an arm at the camera shows draws no further.
 constexpr std::size_t steps_from_afar = 10;
@@ -76,7 +80,8 @@ class Fitter {
       if (!cast()) return false;
       if (i == 0 && !first_weights()) return false;
       if (find_blur && std::find(blur_chosen_at.begin(), blur_chosen_at.end(), i) != blur_chosen_at.end())
-        choose_blur();
+        choose_blur(camera_blurs);
+      if (find_blur && near_ && i == blur_measured_at) measure_blur();
       if (!reweigh()) return false;
       Vector6d step;
       if (!solve(step)) return false;
@@ -198,10 +203,10 @@ class Fitter {
   }
 
   // The blur with which the rod shows best, where it is sure to be there, or else the one with which it errs least.
-  void choose_blur() {
+  void choose_blur(std::span<const double> candidates) {
     const cv::Mat before = weight_.clone();
     double best = nowhere, chosen = camera_blur_;
-    for (const double candidate : camera_blurs) {
+    for (const double candidate : candidates) {
       // From afar it changes little once it is chosen.
       if (!near_ && chosen_ && (candidate < 0.6 * chosen || candidate > 1.6 * chosen)) continue;
       camera_blur_ = candidate;
@@ -215,6 +220,13 @@ class Fitter {
     camera_blur_ = chosen;
     chosen_ = true;
     before.copyTo(weight_);
+  }
+
+  void measure_blur() {
+    std::array<double, blurs_near_by.size()> candidates;
+    std::transform(blurs_near_by.begin(), blurs_near_by.end(), candidates.begin(),
+                   [this](double times) { return times * camera_blur_; });
+    choose_blur(candidates);
   }
 
   // Gauss-Newton on the pose and the growth, which is taken for linear: it is a tenth of a pixel.

