@@ -161,12 +161,6 @@ class Tracker::Impl {
                       lines_.prove(view, marker, rod, moving, prior, f.inks(), d, true);
     if (near || lines_.prove(view, marker, rod, moving, prior, f.inks(), d)) {
       surprise_[m] = off(d.refinement.pose);
-      if (!near && surprise_[m] > max_settled_shift) {
-        // From so far off a second look tells better.
-        const Motion found{d.refinement.pose, d.moving ? d.angular : moving.angular,
-                           d.moving ? d.linear : moving.linear};
-        lines_.prove(view, marker, rod, found, prior, f.inks(), d, true);
-      }
       return true;
     }
     // Where it was it may seem to be in part while it moves on.
