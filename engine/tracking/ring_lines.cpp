@@ -18,6 +18,8 @@ constexpr int steps = 9;
 constexpr double step_blur = 0.4;
 // Of the step, what must lie within the reach.
 constexpr float min_rise = 0.6F;
+// The blur of the fitted step and the picture's own together lie between these, as shares of the reach.
+constexpr float min_blur = 0.4F, max_blur = 0.95F;
 // A surface seen at a flatter angle than this (cosine) shows gloss and what is behind.
 constexpr double min_facing = 0.2;
 // Less than this many pixels to the middle of the next cell: the inks run together.
@@ -42,6 +44,9 @@ constexpr float min_outline_contrast = 40;
 struct Step {
   std::array<float, steps> at{}, weight{};
   float weights = 0, level = 0;  // Sums of the weights, and of the heights by their weights.
+  // Weights whose sum over a step tells by how much the offset that is found for it grows with the offset that it has:
+  // as much where it is as wide as this one, more where it is steeper.
+  std::array<float, steps> gain{};
   Step() {
     double square = 0;
     std::array<double, steps> slope{}, height{};
@@ -57,6 +62,24 @@ struct Step {
       weights += weight[i];
       level += weight[i] * static_cast<float>(height[i]);
     }
+    double own = 0;
+    for (std::size_t i = 0; i < steps; ++i) {
+      gain[i] = (i + 1 < steps ? weight[i + 1] : 0) - (i > 0 ? weight[i - 1] : 0);
+      own += static_cast<double>(gain[i]) * height[i];
+    }
+    for (float& g : gain) g /= static_cast<float>(own);
+  }
+
+  // Where a Gaussian step lies for which the weights found an offset and a gain, whatever its own blur: they found the
+  // integral of a Gaussian of both blurs together, and its slope.
+  static float offset(float found, float gained) {
+    constexpr auto scale = static_cast<float>(2 * step_blur / std::numbers::inv_sqrtpi);
+    const float share = std::clamp(found / scale, -0.45F, 0.45F), square = share * share;
+    // The quantile of the normal distribution, as its series goes (Pade).
+    constexpr float root = 2.50663F;
+    const float quantile = root * share * (1 - 1.152F * square) / (1 - 2.2F * square);
+    const float slope = scale / root * std::exp(-0.5F * quantile * quantile);
+    return quantile * (gained * max_blur < slope ? max_blur : std::max(min_blur, slope / gained));
   }
 };
 
@@ -95,11 +118,28 @@ class LineMeter {
         eye_(-motion.pose.R.transpose() * motion.pose.t) {}
 
   void run() {
+    if (options_.reach >= 5) fetch();
     for (int e = 1; e < rod_.cell_count(); e += options_.stride) ring(e);
     for (int c = 0; c < rod_.cell_count(); c += options_.outline_stride) outlines(c);
   }
 
  private:
+  // Asks for the pixels of the rod, which otherwise come one by one.
+  void fetch() const {
+    for (int e = 0; e <= rod_.cell_count(); ++e) {
+      const Vec3d& centre = placed_.edge(e).centre;
+      Vec2d p;
+      if (centre.z() < 10 || !pixel_of(centre, p)) continue;
+      const int half = static_cast<int>(k_.fx * rod_.radius() / centre.z()) + 4;
+      const int x = static_cast<int>(p.x()), y = static_cast<int>(p.y());
+      for (int v = std::max(0, y - half); v < std::min(image_.height, y + half); ++v) {
+        __builtin_prefetch(image_.at(std::max(0, x - half), v));
+        __builtin_prefetch(image_.at(std::min(image_.width - 1, x + half), v));
+        __builtin_prefetch(image_.at(x, v));
+      }
+    }
+  }
+
   bool pixel_of(const Vec3d& point, Vec2d& pixel) const {
     if (!plain_) return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
     if (point.z() < 1) return false;
@@ -185,16 +225,18 @@ class LineMeter {
     static const Step step;
     const Color heavy = weighted(difference), d = heavy / (heavy * difference).sum();
     // The colours weighted as a whole, as what is wanted of each depends on it by a line.
-    ColorLanes sum = cv::v_setzero_f32(), first = sum, last = sum;
+    ColorLanes sum = cv::v_setzero_f32(), gained = sum, first = sum, last = sum;
     for (std::size_t i = 0; i < steps; ++i) {
       const double s = static_cast<double>(step.at[i]) * reach;
       last = linear(at(s < 0 ? Vec2d(px - s * to_a) : Vec2d(px + s * to_b)));
       if (i == 0) first = last;
       sum += cv::v_setall_f32(step.weight[i]) * last;
+      gained += cv::v_setall_f32(step.gain[i]) * last;
     }
     // Blur wider than the reach moves an edge as its neighbours will.
     if ((to_color(last - first) * d).sum() < min_rise) return 2 * reach;
-    return static_cast<double>(((to_color(sum) - step.weights * at_a) * d).sum() - step.level) * reach;
+    const float found = ((to_color(sum) - step.weights * at_a) * d).sum() - step.level;
+    return static_cast<double>(Step::offset(found, (to_color(gained) * d).sum())) * reach;
   }
 
   // An edge whose direction at a point is that of `tangent`, both in camera axes, was found `along` a direction.
