@@ -1,5 +1,6 @@
 #include "tracking/camera_model.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -49,6 +50,10 @@ Eigen::Matrix<double, 6, 6> covariance_of(const Eigen::Matrix<double, 6, 6>& inf
   unit << 1, 1, 1, 1000, 1000, 1000;
   Eigen::Matrix<double, 6, 6> whole = unit.asDiagonal() * information * unit.asDiagonal();
   whole.diagonal().array() += 1;
+  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> factors(whole);
+  // A pivot below the prior is rounding's.
+  if (factors.info() == Eigen::Success && factors.matrixLLT().diagonal().minCoeff() >= 1)
+    return unit.asDiagonal() * factors.solve(Eigen::Matrix<double, 6, 6>(unit.asDiagonal()));
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> parts(whole);
   const Eigen::Matrix<double, 6, 1> variances = parts.eigenvalues().cwiseMax(1).cwiseInverse();
   const Eigen::Matrix<double, 6, 6> v = unit.asDiagonal() * parts.eigenvectors();

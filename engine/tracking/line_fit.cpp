@@ -14,7 +14,6 @@ using Vector12d = Eigen::Matrix<double, 12, 1>;
 constexpr double min_common_sigma = 0.02;
 constexpr double ink_growth_sigma = 0.15, outline_growth_sigma = 0.05;
 
-constexpr int reweightings = 3;
 // Tukey's biweight at 95 % efficiency.
 constexpr double cutoff = 4.7;
 
@@ -27,7 +26,7 @@ double tukey(double u) {
 // The upper one of the middle values; there must be a value.
 double median_of(std::span<double> v) {
   if (v.size() == 1) return v[0];
-  if (v.size() == 2) return std::max(v[0], v[1]);
+  if (v.size() == 2) return 0.5 * (v[0] + v[1]);
   if (v.size() == 3) return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2]));
   const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
   std::nth_element(v.begin(), middle, v.end());
@@ -51,7 +50,7 @@ class Solver {
                                                                        (outline_growth_sigma * outline_growth_sigma));
   }
 
-  bool solve() {
+  bool solve(int reweightings) {
     gather();
     for (int i = 0; i < reweightings; ++i) {
       weigh();
@@ -265,7 +264,7 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
     mean.segment<3>(6) = start.angular - fit.motion.angular;
     mean.tail<3>() = start.linear - fit.motion.linear;
     Solver<N> solver(set_, mean, information, memory_);
-    if (!solver.solve()) return false;
+    if (!solver.solve(options.reweightings)) return false;
     const auto& d = solver.delta();
     // A step of more than a quarter of a radian or 10 % of the distance is a step off the linear model.
     if (d.template head<3>().norm() > 0.25 || d.template segment<3>(3).norm() > 0.1 * fit.motion.pose.t.norm())

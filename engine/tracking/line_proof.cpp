@@ -7,10 +7,10 @@
 namespace onestroke {
 namespace {
 
-// As far as a hand may have brought the marker off its prediction, along the middle of the rod; then to the edges.
+// As far as a hand may have brought the marker off its prediction, along the middle of the rod; then to the edges. What
+// is nearer needs no more than the later ones.
 constexpr std::array<LineOptions, 3> first_passes{
-    {{10, 1000, 1, 1000, 2, 4}, {5, 1000, 1, 1000, 2, 4}, {4, 8, 3, 16, 1, 2}}};
-constexpr std::span slow_passes = std::span(first_passes).subspan<1>();
+    {{10, 1000, 1, 1000, 2, 4, 2}, {5, 1000, 1, 1000, 2, 4, 2}, {4, 8, 3, 16, 1, 2, 2}}};
 constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
 constexpr int max_settlings = 3;
 constexpr double settled_share = 0.68;
@@ -69,9 +69,9 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
 }
 
 bool LineProof::prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected,
-                      const VelocityPrior& prior, const Inks& inks, Detection& detection, bool slow) {
-  LineFit fit =
-      fitter_.fit(view, rod, inks, expected, prior, slow ? slow_passes : std::span<const LineOptions>(first_passes));
+                      const VelocityPrior& prior, const Inks& inks, Detection& detection, Nearness nearness) {
+  const std::span passes = std::span(first_passes).subspan(static_cast<std::size_t>(nearness));
+  LineFit fit = fitter_.fit(view, rod, inks, expected, prior, passes);
   Detection d{marker, {}, {}, inks};
   for (int again = 0; fit.valid; ++again) {
     d.refinement = refinement_of(fit);

@@ -12,14 +12,17 @@ inline constexpr int min_agreeing = 9;
 /// where they should be.
 bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
 
+/// How near to what is expected a marker is looked for: within pixels of a hand's motion, within one or two, or as good
+/// as there.
+enum class Nearness { roughly, nearly, exactly };
+
 /// Finds a marker near where it is expected by a few lines along its rod, at a small part of what a search costs. Used
 /// by one thread at a time.
 class LineProof {
  public:
-  /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue; `slow`: it is no more
-  /// than some pixels off what is expected, and a closer look is taken at once.
+  /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue.
   bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const VelocityPrior& prior,
-             const Inks& inks, Detection& detection, bool slow = false);
+             const Inks& inks, Detection& detection, Nearness nearness = Nearness::roughly);
 
  private:
   LineFitter fitter_;

@@ -44,6 +44,8 @@ struct LineOptions {
   double outline_spacing = 2.5;
   /// Every which ring edge is measured, and the outline beside every which cell.
   int stride = 1, outline_stride = 1;
+  /// How often the lines are weighed by how well they agree.
+  int reweightings = 3;
 };
 
 /// Measures the rod's ring edges along generator lines of its surface, and its outline. A line's colours pass from one

@@ -157,9 +157,12 @@ class Tracker::Impl {
       return shift_in_picture(picture.intrinsics, rod, pose, moving.pose);
     };
     // What came as predicted, or hardly moves, will be near again.
-    const bool near = std::min(surprise_[m], off(still.pose)) < max_slow_shift &&
-                      lines_.prove(view, marker, rod, moving, prior, f.inks(), d, true);
-    if (near || lines_.prove(view, marker, rod, moving, prior, f.inks(), d)) {
+    const double surprise = std::min(surprise_[m], off(still.pose));
+    const Nearness nearness = surprise < max_settled_shift ? Nearness::exactly
+                              : surprise < max_slow_shift  ? Nearness::nearly
+                                                           : Nearness::roughly;
+    const auto look = [&](Nearness n) { return lines_.prove(view, marker, rod, moving, prior, f.inks(), d, n); };
+    if (look(nearness) || (nearness != Nearness::roughly && look(Nearness::roughly))) {
       surprise_[m] = off(d.refinement.pose);
       return true;
     }

@@ -34,6 +34,18 @@ MovingFilm swing(double hertz, double amplitude_deg) {
           3, 1};
 }
 
+// All the way round about an axis of the picture's plane: both arms point at the camera on the way.
+MovingFilm round(int id, double deg_a_second) {
+  std::ostringstream name;
+  name << "turns round at " << deg_a_second << " degrees/s, " << (id % 2 ? "sharp" : "bent");
+  return {name.str(), id,
+          [=](double t) {
+            return about_middle(exp_so3(deg_a_second * degree * t * normalized(Vec3{0.6, 1, 0})) * turned(0, 0, 20),
+                                {40 * std::sin(t), 0, distance});
+          },
+          360 / deg_a_second, 1};
+}
+
 // So slow that noise hides the motion from picture to picture.
 MovingFilm creep(int id, double deg_a_second, double seconds, double max_lag_ms) {
   std::ostringstream name;
@@ -66,6 +78,9 @@ std::vector<MovingFilm> moving_films() {
       swing(1, 15),
       swing(2, 10),
       swing(1, 1),
+      round(3, 90),
+      round(4, 90),
+      round(3, 45),
       {"sets off after 1 s to 40 degrees/s and stops after 2 s", 3,
        along(normalized(Vec3{0.2, 1, 0.3}), 100, [](double t) { return 40 * degree * std::clamp(t - 1, 0.0, 1.0); }), 3,
        1}};
