@@ -26,7 +26,7 @@ double tukey(double u) {
 // The upper one of the middle values; there must be a value.
 double median_of(std::span<double> v) {
   if (v.size() == 1) return v[0];
-  if (v.size() == 2) return 0.5 * (v[0] + v[1]);
+  if (v.size() == 2) return std::max(v[0], v[1]);
   if (v.size() == 3) return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2]));
   const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
   std::nth_element(v.begin(), middle, v.end());

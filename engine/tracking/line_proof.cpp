@@ -7,13 +7,30 @@
 namespace onestroke {
 namespace {
 
-// As far as a hand may have brought the marker off its prediction, along the middle of the rod; then to the edges. What
-// is nearer needs no more than the later ones.
-constexpr std::array<LineOptions, 3> first_passes{
+// As far as a hand may have brought the marker off its prediction; then to the edges. What is nearer needs no more than
+// the later ones. Where cells are long the first ones look along the middle of the rod only.
+constexpr std::array<LineOptions, 3> long_passes{
     {{10, 1000, 1, 1000, 2, 4, 2}, {5, 1000, 1, 1000, 2, 4, 2}, {4, 8, 3, 16, 1, 2, 2}}};
+constexpr std::array<LineOptions, 4> short_passes{
+    {{10, 1000, 1, 1000, 2, 2}, {4, 8, 3, 16, 1, 2}, {4, 8, 3, 16, 1, 2}, {4, 8, 3, 16, 1, 2}}};
+// Pixels.
+constexpr double long_cell = 6;
 constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
 constexpr int max_settlings = 3;
 constexpr double settled_share = 0.68;
+
+// Whether all cells of the straight arms are long in the picture: none points towards the camera, and none is far.
+bool shows_long_cells(const Intrinsics& k, const RodModel& rod, const EigenPose& pose) {
+  Vec2d before, here;
+  bool known = false;
+  for (int e = 0; e <= rod.cell_count(); ++e) {
+    if (!project(k, pose * rod.edge(e).centre, here)) return false;
+    if (known && rod.arm_of(e - 1) >= 0 && (here - before).squaredNorm() < long_cell * long_cell) return false;
+    before = here;
+    known = true;
+  }
+  return true;
+}
 
 // The edges of the cells in sight are where they should be: a pose that fits one arm only has cells that agree, but not
 // their edges.
@@ -70,7 +87,9 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
 
 bool LineProof::prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected,
                       const VelocityPrior& prior, const Inks& inks, Detection& detection, Nearness nearness) {
-  const std::span passes = std::span(first_passes).subspan(static_cast<std::size_t>(nearness));
+  std::span<const LineOptions> passes = short_passes;
+  if (shows_long_cells(view.intrinsics, rod, expected.pose)) passes = long_passes;
+  if (nearness != Nearness::roughly) passes = passes.last(nearness == Nearness::nearly ? 2 : 1);
   LineFit fit = fitter_.fit(view, rod, inks, expected, prior, passes);
   Detection d{marker, {}, {}, inks};
   for (int again = 0; fit.valid; ++again) {

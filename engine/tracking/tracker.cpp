@@ -170,7 +170,8 @@ class Tracker::Impl {
     return (lines_.prove(view, marker, rod, still, {}, f.inks(), d) && shows_well(d)) ||
            detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d) ||
            prove_by_look(levels(view), picture.intrinsics, marker, rod, moving.pose, f.inks(), d) ||
-           lines_.prove(view, marker, rod, still, {}, f.inks(), d);
+           lines_.prove(view, marker, rod, still, {}, f.inks(), d) ||
+           prove_by_look(levels(view), picture.intrinsics, marker, rod, still.pose, f.inks(), d);
   }
 
   // All that a picture tells of a marker is worth its cost where it stands still: every few pictures it is the next

@@ -38,12 +38,15 @@ MovingFilm swing(double hertz, double amplitude_deg) {
 MovingFilm round(int id, double deg_a_second) {
   std::ostringstream name;
   name << "turns round at " << deg_a_second << " degrees/s, " << (id % 2 ? "sharp" : "bent");
-  return {name.str(), id,
+  return {name.str(),
+          id,
           [=](double t) {
             return about_middle(exp_so3(deg_a_second * degree * t * normalized(Vec3{0.6, 1, 0})) * turned(0, 0, 20),
                                 {40 * std::sin(t), 0, distance});
           },
-          360 / deg_a_second, 1};
+          360 / deg_a_second,
+          1,
+          0.35};
 }
 
 // So slow that noise hides the motion from picture to picture.

@@ -18,6 +18,7 @@ struct MovingFilm {
   std::function<Pose(double)> path;  ///< T_camera_marker by seconds.
   double seconds;
   double max_lag_ms;  ///< What the pictures' noise leaves to be told, and no visible delay.
+  double max_worst_deg = 0.25;
 };
 /// A stick that turns evenly, creeps, swings at 0.5 to 2 Hz, sets off and stops.
 std::vector<MovingFilm> moving_films();

@@ -38,7 +38,7 @@ TEST_P(Moving, IsNotLate) {
   EXPECT_LT(std::abs(lag.turn_ms), film.max_lag_ms);
   EXPECT_LT(std::abs(lag.shift_ms), film.max_lag_ms);
   EXPECT_LT(lag.turn_deg, 0.06);
-  EXPECT_LT(lag.worst_deg, 0.25);
+  EXPECT_LT(lag.worst_deg, film.max_worst_deg);
   EXPECT_LT(lag.shift_mm, 0.2);
 }
 
