@@ -242,6 +242,22 @@ class Solver {
   std::array<float, max_cells> support_{};
 };
 
+// Asks for the pixels of the rod ahead of all passes, which otherwise come from memory one by one.
+void fetch(const TimedView& view, const RodModel& rod, const EigenPose& pose) {
+  const ImageView& image = view.image;
+  constexpr int margin = 4;
+  for (int e = 0; e <= rod.cell_count(); ++e) {
+    const Vec3d centre = pose * rod.edge(e).centre;
+    Vec2d p;
+    if (!project(view.intrinsics, centre, p) || !image.contains(p.x(), p.y())) continue;
+    const int half = static_cast<int>(view.intrinsics.fx * rod.radius() / centre.z()) + margin;
+    const int x = static_cast<int>(p.x()), y = static_cast<int>(p.y());
+    for (int v = std::max(0, y - half); v < std::min(image.height, y + half); ++v)
+      for (const int u : {std::max(0, x - half), x, std::min(image.width - 1, x + half)})
+        __builtin_prefetch(image.at(u, v));
+  }
+}
+
 }  // namespace
 
 void take_velocity(const TimedView& view, const LineFit& fit, Detection& d) {
@@ -280,6 +296,7 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
     fit.rms = solver.rms();
     return fit.motion.pose.t.z() > 10 && fit.covariance.allFinite();
   };
+  fetch(view, rod, start.pose);
   for (const LineOptions& options : passes) {
     measure_lines(view, rod, inks, fit.motion, options, set_);
     fit.expected = set_.expected;

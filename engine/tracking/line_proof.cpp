@@ -11,8 +11,8 @@ namespace {
 // the later ones. Where cells are long the first ones look along the middle of the rod only.
 constexpr std::array<LineOptions, 3> long_passes{
     {{10, 1000, 1, 1000, 2, 4, 2}, {5, 1000, 1, 1000, 2, 4, 2}, {4, 8, 3, 16, 1, 2, 2}}};
-constexpr std::array<LineOptions, 4> short_passes{
-    {{10, 1000, 1, 1000, 2, 2}, {4, 8, 3, 16, 1, 2}, {4, 8, 3, 16, 1, 2}, {4, 8, 3, 16, 1, 2}}};
+constexpr LineOptions to_edges{4, 8, 3, 16, 1, 2};
+constexpr std::array<LineOptions, 4> short_passes{{{10, 1000, 1, 1000, 2, 2}, to_edges, to_edges, to_edges}};
 // Pixels.
 constexpr double long_cell = 6;
 constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
@@ -22,12 +22,11 @@ constexpr double settled_share = 0.68;
 // Whether all cells of the straight arms are long in the picture: none points towards the camera, and none is far.
 bool shows_long_cells(const Intrinsics& k, const RodModel& rod, const EigenPose& pose) {
   Vec2d before, here;
-  bool known = false;
-  for (int e = 0; e <= rod.cell_count(); ++e) {
-    if (!project(k, pose * rod.edge(e).centre, here)) return false;
-    if (known && rod.arm_of(e - 1) >= 0 && (here - before).squaredNorm() < long_cell * long_cell) return false;
+  if (!project(k, pose * rod.edge(0).centre, before)) return false;
+  for (int c = 0; c < rod.cell_count(); ++c) {
+    if (!project(k, pose * rod.edge(c + 1).centre, here)) return false;
+    if (rod.arm_of(c) >= 0 && (here - before).squaredNorm() < long_cell * long_cell) return false;
     before = here;
-    known = true;
   }
   return true;
 }

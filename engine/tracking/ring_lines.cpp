@@ -118,28 +118,11 @@ class LineMeter {
         eye_(-motion.pose.R.transpose() * motion.pose.t) {}
 
   void run() {
-    if (options_.reach >= 5) fetch();
     for (int e = 1; e < rod_.cell_count(); e += options_.stride) ring(e);
     for (int c = 0; c < rod_.cell_count(); c += options_.outline_stride) outlines(c);
   }
 
  private:
-  // Asks for the pixels of the rod, which otherwise come one by one.
-  void fetch() const {
-    for (int e = 0; e <= rod_.cell_count(); ++e) {
-      const Vec3d& centre = placed_.edge(e).centre;
-      Vec2d p;
-      if (centre.z() < 10 || !pixel_of(centre, p)) continue;
-      const int half = static_cast<int>(k_.fx * rod_.radius() / centre.z()) + 4;
-      const int x = static_cast<int>(p.x()), y = static_cast<int>(p.y());
-      for (int v = std::max(0, y - half); v < std::min(image_.height, y + half); ++v) {
-        __builtin_prefetch(image_.at(std::max(0, x - half), v));
-        __builtin_prefetch(image_.at(std::min(image_.width - 1, x + half), v));
-        __builtin_prefetch(image_.at(x, v));
-      }
-    }
-  }
-
   bool pixel_of(const Vec3d& point, Vec2d& pixel) const {
     if (!plain_) return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
     if (point.z() < 1) return false;

@@ -50,7 +50,8 @@ struct LineOptions {
 
 /// Measures the rod's ring edges along generator lines of its surface, and its outline. A line's colours pass from one
 /// cell's to the next one's, in linear light, as the integral of the camera's blur; the offset is the least-squares fit
-/// of a blurred step as wide as `reach`: unbiased where it is small, whatever the blur, if that is symmetrical. Each
+/// of a blurred step as wide as `reach`, put right for how steep the edge is: unbiased where it is small, whatever the
+/// blur, if that is symmetrical. Each
 /// point is predicted for the time at which its row is exposed.
 void measure_lines(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& motion,
                    const LineOptions& options, LineSet& set);

@@ -167,11 +167,18 @@ class Tracker::Impl {
       return true;
     }
     // Where it was it may seem to be in part while it moves on.
-    return (lines_.prove(view, marker, rod, still, {}, f.inks(), d) && shows_well(d)) ||
-           detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d) ||
-           prove_by_look(levels(view), picture.intrinsics, marker, rod, moving.pose, f.inks(), d) ||
-           lines_.prove(view, marker, rod, still, {}, f.inks(), d) ||
-           prove_by_look(levels(view), picture.intrinsics, marker, rod, still.pose, f.inks(), d);
+    Detection here;
+    const bool stayed = lines_.prove(view, marker, rod, still, {}, f.inks(), here);
+    const auto by_look = [&](const EigenPose& pose) {
+      return prove_by_look(levels(view), picture.intrinsics, marker, rod, pose, f.inks(), d);
+    };
+    if (!stayed || !shows_well(here)) {
+      if (detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d)) return true;
+      if (by_look(moving.pose)) return true;
+    }
+    if (!stayed) return by_look(still.pose);
+    d = std::move(here);
+    return true;
   }
 
   // All that a picture tells of a marker is worth its cost where it stands still: every few pictures it is the next

@@ -35,7 +35,7 @@ MovingFilm swing(double hertz, double amplitude_deg) {
 }
 
 // All the way round about an axis of the picture's plane: both arms point at the camera on the way.
-MovingFilm round(int id, double deg_a_second) {
+MovingFilm turn_round(int id, double deg_a_second) {
   std::ostringstream name;
   name << "turns round at " << deg_a_second << " degrees/s, " << (id % 2 ? "sharp" : "bent");
   return {name.str(),
@@ -81,9 +81,9 @@ std::vector<MovingFilm> moving_films() {
       swing(1, 15),
       swing(2, 10),
       swing(1, 1),
-      round(3, 90),
-      round(4, 90),
-      round(3, 45),
+      turn_round(3, 90),
+      turn_round(4, 90),
+      turn_round(3, 45),
       {"sets off after 1 s to 40 degrees/s and stops after 2 s", 3,
        along(normalized(Vec3{0.2, 1, 0.3}), 100, [](double t) { return 40 * degree * std::clamp(t - 1, 0.0, 1.0); }), 3,
        1}};

@@ -17,10 +17,10 @@ struct MovingFilm {
   int id;
   std::function<Pose(double)> path;  ///< T_camera_marker by seconds.
   double seconds;
-  double max_lag_ms;  ///< What the pictures' noise leaves to be told, and no visible delay.
-  double max_worst_deg = 0.25;
+  double max_lag_ms;            ///< What the pictures' noise leaves to be told, and no visible delay.
+  double max_worst_deg = 0.25;  ///< Of all pictures; an arm that points at the camera tells less.
 };
-/// A stick that turns evenly, creeps, swings at 0.5 to 2 Hz, sets off and stops.
+/// A stick that turns evenly, creeps, swings at 0.5 to 2 Hz, turns all the way round, sets off and stops.
 std::vector<MovingFilm> moving_films();
 
 }  // namespace onestroke::accuracy
