@@ -40,6 +40,13 @@ EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta
   return {w * p.R, p.t + delta.tail<3>()};
 }
 
+Eigen::Matrix<double, 6, 1> perturbation(const EigenPose& from, const EigenPose& to) {
+  const Vec3 w = log_so3(from_eigen(to).rotation * from_eigen(from).rotation.conjugate());
+  Eigen::Matrix<double, 6, 1> delta;
+  delta << w.x, w.y, w.z, to.t - from.t;
+  return delta;
+}
+
 void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian) {
   hessian.topLeftCorner<3, 3>() += 10 * hessian.topLeftCorner<3, 3>().trace() * axis * axis.transpose();
 }

@@ -35,6 +35,9 @@ double relative_distance(const EigenPose& a, const EigenPose& b);
 /// place.
 EigenPose perturbed(const EigenPose& p, const Eigen::Matrix<double, 6, 1>& delta);
 
+/// The delta by which perturbed() makes `to` of `from`.
+Eigen::Matrix<double, 6, 1> perturbation(const EigenPose& from, const EigenPose& to);
+
 /// Keeps a least-squares step from turning about an axis (camera axes): the points of one straight arm say nothing of
 /// it.
 void fix_roll(const Vec3d& axis, Eigen::Matrix<double, 6, 6>& hessian);

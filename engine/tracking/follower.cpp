@@ -15,22 +15,19 @@ constexpr double angular_speed = 12, linear_speed = 1500;
 // After a gap this long a difference of poses says nothing of the motion now.
 constexpr double max_gap_s = 0.25;
 constexpr Duration max_prediction = Duration::from_ms(200);
-constexpr double max_acceleration_s = 0.05;
+// By what a prediction of the pose is off at most, radians and millimetres: what a few lines do not tell, as the roll
+// about the one arm that is in sight, is that of the prediction.
+constexpr double expected_turn = 0.15, expected_shift = 60;
 // Of these, what a prediction is usually off by.
 constexpr double usual = 0.3;
 // A jerk, half as much again as the usual acceleration, and what noise adds to the prediction.
 constexpr double jerk = 1.5, turn_slack = 0.12, shift_slack = 10;
 
-Velocity plus(const Velocity& v, double factor, const Velocity& w) {
-  return {v.angular + factor * w.angular, v.linear + factor * w.linear};
-}
-
 }  // namespace
 
 Pose Follower::predict(Time t) const {
   const Duration ahead = std::min(t - last_, max_prediction);
-  const double h = ahead.seconds(), u = std::min(h, max_acceleration_s);
-  return advance(T_world_marker_, h > 0 ? plus(velocity_, u - u * u / (2 * h), acceleration_) : velocity_, ahead);
+  return motion_.predict(ahead.seconds());
 }
 
 bool Follower::plausible(Time t, const Pose& T_world_marker) {
@@ -49,7 +46,7 @@ bool Follower::near_prediction(Time t, const Pose& T_world_marker) const {
   const Pose expected = predict(t);
   const double dt = (t - last_).seconds(), reach = 0.5 * jerk * dt * dt;
   // Until a velocity is known the marker may have been moving all along.
-  const double unknown = moving_ ? 0 : dt;
+  const double unknown = motion_.moving() ? 0 : dt;
   return angle_between(expected.rotation, T_world_marker.rotation) <
              turn_slack + reach * angular_acceleration + unknown * angular_speed &&
          norm(expected.translation - T_world_marker.translation) <
@@ -61,40 +58,23 @@ void Follower::measured(Time t, const PoseMeasurement& measurement, const Inks& 
   const double dt = (t - last_).seconds();
   const bool goes_on = phase_ == Phase::followed && dt > 0 && dt < max_gap_s;
   if (!goes_on) filter_.clear();
-  const Pose& now = filter_.add(measurement, sharp).pose;
-  if (goes_on) {
-    learn_velocity(velocity_between(T_world_marker_, now, t - last_), dt);
-    moving_ = true;
-  } else {
-    acceleration_ = {};
-    velocity_ = mean_velocity_ = velocity ? *velocity : Velocity{};
-    moving_ = velocity != nullptr;
-  }
+  const PoseFilter::Estimate& now = filter_.add(measurement, sharp);
+  if (goes_on)
+    motion_.add(now.pose, now.covariance, dt);
+  else
+    motion_.start(now.pose, now.covariance, velocity);
   phase_ = Phase::followed;
   last_ = t;
-  T_world_marker_ = now;
+  T_world_marker_ = now.pose;
   inks_ = inks;
 }
 
-// What the change of the velocity says of the acceleration, as far as it stands out of what the measurements' own
-// errors would make of it (Wiener's factor).
-void Follower::learn_velocity(const Velocity& mean, double dt) {
-  const Velocity before = moving_ ? mean_velocity_ : mean;
-  const auto learn = [&](Vec3 from, Vec3 to, Eigen::Index first) {
-    const Vec3 a = (to - from) / dt;
-    const double variance = covariance().diagonal().segment<3>(first).sum();
-    const double noise = 6 * variance / (dt * dt * dt * dt), signal = std::max(0.0, dot(a, a) - noise);
-    return signal / (signal + noise + 1e-12) * a;
-  };
-  acceleration_ = {learn(before.angular, mean.angular, 0), learn(before.linear, mean.linear, 3)};
-  mean_velocity_ = mean;
-  velocity_ = plus(mean, dt / 2, acceleration_);
-}
-
-VelocityPrior Follower::velocity_prior(Time t) const {
-  VelocityPrior prior;
-  if (!moving_) return prior;
+MotionPrior Follower::motion_prior(Time t) const {
+  MotionPrior prior;
+  if (!motion_.moving()) return prior;
   const double dt = (t - last_).seconds();
+  prior.turn = expected_turn;
+  prior.shift = expected_shift;
   prior.angular = std::min(prior.angular, usual * angular_acceleration * dt);
   prior.linear = std::min(prior.linear, usual * linear_acceleration * dt);
   return prior;

@@ -2,6 +2,7 @@
 
 #include "core/frame_record.h"
 #include "tracking/detector.h"
+#include "tracking/motion_filter.h"
 #include "tracking/pose_filter.h"
 #include "tracking/tracker.h"
 
@@ -16,7 +17,7 @@ class Follower {
   bool ever_seen() const { return phase_ != Phase::unknown; }
   const Inks& inks() const { return inks_; }
 
-  /// T_world_marker at a time: the acceleration lasts for 50 ms after the last measurement, the velocity for 200 ms, as
+  /// T_world_marker at a time: by MotionFilter, for up to 200 ms after the last measurement, as
   /// a hand that is not seen stops as likely as it goes on.
   Pose predict(Time t) const;
   /// A hand can have brought the marker from where it was last seen to this pose, or to this pose from where it was
@@ -38,9 +39,9 @@ class Follower {
     if (ever_seen()) *this = {};
   }
 
-  Velocity velocity() const { return velocity_; }
+  Velocity velocity() const { return motion_.velocity(); }
   /// How certain the velocity is at a time.
-  VelocityPrior velocity_prior(Time t) const;
+  MotionPrior motion_prior(Time t) const;
   /// Covariance of the prediction, world axes: the last measurement's, grown with the time since.
   Matrix6d predicted_covariance(Time t) const;
 
@@ -49,17 +50,13 @@ class Follower {
   Time last_;
   Pose T_world_marker_;
   bool near_prediction(Time t, const Pose& T_world_marker) const;
-  void learn_velocity(const Velocity& mean, double dt);
 
-  // Of T_world_marker, rad/s about world axes and mm/s: at the last measurement, and on average since the one before.
-  Velocity velocity_, mean_velocity_;
-  Velocity acceleration_;  // rad/s^2, mm/s^2.
-  bool moving_ = false;    // velocity_ has been measured.
   // Where it was found last that was not plausible, and when.
   Time doubted_;
   Pose T_world_doubted_;
   Inks inks_;
   PoseFilter filter_;
+  MotionFilter motion_;
 };
 
 }  // namespace onestroke

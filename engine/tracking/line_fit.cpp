@@ -37,18 +37,11 @@ double median_of(std::span<double> v) {
 template <int N>
 class Solver {
  public:
-  static constexpr int all = N + growths;
-  using Vector = Eigen::Matrix<double, all, 1>;
-  using Matrix = Eigen::Matrix<double, all, all>;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
 
   Solver(const LineSet& set, const Vector12d& prior_mean, const Vector12d& prior_information, LineMemory& memory)
-      : set_(set), memory_(memory) {
-    mean_.template head<N>() = prior_mean.head<N>();
-    information_.template head<N>() = prior_information.head<N>();
-    information_.template segment<outline_growth>(N).setConstant(1 / (ink_growth_sigma * ink_growth_sigma));
-    information_.template tail<growths - outline_growth>().setConstant(1 /
-                                                                       (outline_growth_sigma * outline_growth_sigma));
-  }
+      : set_(set), memory_(memory), mean_(prior_mean.head<N>()), information_(prior_information.head<N>()) {}
 
   bool solve(int reweightings) {
     gather();
@@ -56,10 +49,14 @@ class Solver {
       weigh();
       accumulate();
       if (ring_weight_ < 6) return false;
+      eliminate_growths();
+      hessian_ = squares_.template topLeftCorner<N, N>();
+      hessian_.diagonal() += information_;
       const Eigen::LLT<Matrix, Eigen::Lower> factors(hessian_);
       if (factors.info() != Eigen::Success) return false;
-      delta_ = factors.solve(gradient_);
+      delta_ = factors.solve(squares_.row(at_offset).template head<N>().transpose() + information_.cwiseProduct(mean_));
       if (!delta_.allFinite()) return false;
+      tell_growths();
     }
     return true;
   }
@@ -69,26 +66,25 @@ class Solver {
   /// Sums of the lines' weights, by the cell after the edge.
   const std::array<float, max_cells>& support() const { return support_; }
   double rms() const { return std::sqrt(ring_square_ / std::max(ring_weight_, 1e-9)); }
-  Eigen::Matrix<double, N, N> covariance() const {
-    // Growths and velocity have priors, so that only a pose may be badly determined.
-    constexpr int rest = all - 6;
+  Matrix covariance() const {
     const Matrix information = hessian_.template selfadjointView<Eigen::Lower>();
-    const auto other = information.template bottomRightCorner<rest, rest>().ldlt();
-    const Eigen::Matrix<double, 6, rest> mixed = information.template topRightCorner<6, rest>();
-    const Eigen::Matrix<double, rest, 6> by_pose = other.solve(mixed.transpose());
-    const Matrix6d pose = covariance_of(information.template topLeftCorner<6, 6>() - mixed * by_pose);
-    Eigen::Matrix<double, N, N> whole;
-    whole.template topLeftCorner<6, 6>() = pose;
-    if constexpr (N > 6) {
-      constexpr int more = N - 6;
-      const Eigen::Matrix<double, more, 6> moves = by_pose.template topRows<more>();
-      const Eigen::Matrix<double, rest, rest> own = other.solve(Eigen::Matrix<double, rest, rest>::Identity());
-      whole.template bottomRightCorner<more, more>() =
-          own.template topLeftCorner<more, more>() + moves * pose * moves.transpose();
-      whole.template bottomLeftCorner<more, 6>() = -moves * pose;
-      whole.template topRightCorner<6, more>() = -pose * moves.transpose();
+    if constexpr (N == 6) {
+      return covariance_of(information);
+    } else {
+      // A velocity has a prior, so that only a pose may be badly determined.
+      constexpr int rest = N - 6;
+      const auto other = information.template bottomRightCorner<rest, rest>().llt();
+      const Eigen::Matrix<double, 6, rest> mixed = information.template topRightCorner<6, rest>();
+      const Eigen::Matrix<double, rest, 6> moves = other.solve(mixed.transpose());
+      const Matrix6d pose = covariance_of(information.template topLeftCorner<6, 6>() - mixed * moves);
+      Matrix whole;
+      whole.template topLeftCorner<6, 6>() = pose;
+      whole.template bottomRightCorner<rest, rest>() =
+          other.solve(Eigen::Matrix<double, rest, rest>::Identity()) + moves * pose * moves.transpose();
+      whole.template bottomLeftCorner<rest, 6>() = -moves * pose;
+      whole.template topRightCorner<6, rest>() = -pose * moves.transpose();
+      return whole;
     }
-    return whole;
   }
 
  private:
@@ -122,8 +118,8 @@ class Solver {
 
   double residual(std::size_t i) const {
     const Row r = row(i);
-    return r[at_offset] - r.template head<N>().dot(delta_.template head<N>()) -
-           r[at_growth] * delta_[N + set_.lines[i].growth];
+    return r[at_offset] - r.template head<N>().dot(delta_) -
+           r[at_growth] * grown_[static_cast<std::size_t>(set_.lines[i].growth)];
   }
 
   // 1.4826 times the median of absolute values: the standard deviation, outliers aside.
@@ -173,13 +169,34 @@ class Solver {
     support_.fill(0);
     for (const Group& g : memory_.groups)
       if (g.weight > 0) add(g);
-    hessian_.template topLeftCorner<N, N>() = squares_.template topLeftCorner<N, N>();
-    hessian_.template bottomLeftCorner<growths, N>() = by_growth_.template topRows<N>().transpose();
-    hessian_.template bottomRightCorner<growths, growths>() = growth_;
-    hessian_.diagonal() += information_;
-    gradient_.template head<N>() = squares_.row(at_offset).template head<N>().transpose();
-    gradient_.template tail<growths>() = by_growth_.row(at_offset).transpose();
-    gradient_ += information_.cwiseProduct(mean_);
+  }
+
+  // Cholesky's steps for the growths, which come first: each is tied to no other growth but that of the outline's other
+  // side. What is left is the system of the motion.
+  void eliminate_growths() {
+    for (int g = 0; g < growths; ++g) {
+      const double sigma = g < outline_growth ? ink_growth_sigma : outline_growth_sigma;
+      growth_(g, g) += 1 / (sigma * sigma);
+    }
+    for (int g = 0; g < growths; ++g) {
+      const Row column = by_growth_.col(g), share = column / growth_(g, g);
+      add_squares(-share, column);
+      if (g < outline_growth || (g - outline_growth) % 2 == 1) continue;
+      const double tie = growth_(g + 1, g) / growth_(g, g);
+      by_growth_.col(g + 1) -= tie * column;
+      growth_(g + 1, g + 1) -= tie * growth_(g + 1, g);
+    }
+  }
+
+  // The growths that go with the motion.
+  void tell_growths() {
+    for (int g = growths - 1; g >= 0; --g) {
+      const auto column = by_growth_.col(g);
+      double sum = column[at_offset] - column.template head<N>().dot(delta_);
+      if (g >= outline_growth && (g - outline_growth) % 2 == 0)
+        sum -= growth_(g + 1, g) * grown_[static_cast<std::size_t>(g) + 1];
+      grown_[static_cast<std::size_t>(g)] = sum / growth_(g, g);
+    }
   }
 
   // Adds a times b's transpose to the lower triangle of the squares, by pairs of columns.
@@ -198,7 +215,7 @@ class Solver {
   void add(const Group& g) {
     const Scatter& s = g.ring ? ring_ : outline_;
     // A ring edge has one pair of inks, the outline beside a cell two sides: what their lines say by their growth.
-    std::array<Row, 2> sides{Row::Zero(), Row::Zero()};
+    Row along = Row::Zero(), second = Row::Zero();
     const int growth = set_.lines[g.first].growth;
     const int low = g.ring ? growth : growth - (growth - outline_growth) % 2;
     for (std::size_t i = g.first; i < g.last; ++i) {
@@ -208,33 +225,37 @@ class Solver {
       if (w == 0) continue;
       const Row r = row(i), weighted = w / (sigma * sigma) * r;
       add_squares(weighted, r);
-      sides[static_cast<std::size_t>(m.growth - low)] += m.by_growth * weighted;
+      along += m.by_growth * weighted;
+      if (m.growth != low) second += m.by_growth * weighted;
       if (!g.ring) continue;
       ring_weight_ += w;
       support_[static_cast<std::size_t>(m.cell)] += static_cast<float>(w);
       ring_square_ += w * residual * residual;
     }
-    const Row along = sides[0] + sides[1], share = along / (along[at_growth] + 1 / (s.common * s.common));
+    const double whole = along[at_growth] + 1 / (s.common * s.common);
+    const Row share = along / whole;
     add_squares(-share, along);
-    for (int a = 0; a < 2; ++a) {
-      const Row& side = sides[static_cast<std::size_t>(a)];
-      const double own = side[at_growth];
-      if (own == 0) continue;
-      by_growth_.col(low + a) += side - own * share;
-      growth_(low + a, low + a) += own;
-      for (int b = 0; b < 2 && low + b < growths; ++b)
-        growth_(low + a, low + b) -=
-            own * sides[static_cast<std::size_t>(b)][at_growth] / (along[at_growth] + 1 / (s.common * s.common));
-    }
+    add_side(low, along - second, share, whole);
+    if (g.ring) return;
+    add_side(low + 1, second, share, whole);
+    growth_(low + 1, low) -= (along - second)[at_growth] * second[at_growth] / whole;
+  }
+
+  void add_side(int growth, const Row& side, const Row& share, double whole) {
+    const double own = side[at_growth];
+    by_growth_.col(growth) += side - own * share;
+    growth_(growth, growth) += own - own * own / whole;
   }
 
   const LineSet& set_;
   LineMemory& memory_;
-  Vector mean_ = Vector::Zero(), information_ = Vector::Zero();
-  Vector delta_ = Vector::Zero(), gradient_ = Vector::Zero();
-  Matrix hessian_ = Matrix::Zero();
+  const Vector mean_, information_;
+  Vector delta_ = Vector::Zero();
+  std::array<double, growths> grown_{};
+  Matrix hessian_ = Matrix::Zero();  // Lower triangle.
   Scatter ring_, outline_;
-  // Sums of the rows' squares (lower triangle), and of the rows by each growth and of the growths alone.
+  // Sums of the rows' squares (lower triangle), and of the rows by each growth and of the growths alone; then the same
+  // as it is left by the elimination.
   Eigen::Matrix<double, width, width> squares_;
   Eigen::Matrix<double, width, growths> by_growth_;
   Eigen::Matrix<double, growths, growths> growth_;
@@ -269,14 +290,17 @@ void take_velocity(const TimedView& view, const LineFit& fit, Detection& d) {
 }
 
 LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& start,
-                        const VelocityPrior& prior, std::span<const LineOptions> passes) {
+                        const MotionPrior& prior, std::span<const LineOptions> passes) {
   LineFit fit;
   fit.motion = start;
-  Vector12d information = Vector12d::Zero();
+  Vector12d information;
+  information.head<3>().setConstant(1 / (prior.turn * prior.turn));
+  information.segment<3>(3).setConstant(1 / (prior.shift * prior.shift));
   information.segment<3>(6).setConstant(1 / (prior.angular * prior.angular));
   information.tail<3>().setConstant(1 / (prior.linear * prior.linear));
   const auto pass = [&]<int N>(std::integral_constant<int, N>, const LineOptions& options) {
-    Vector12d mean = Vector12d::Zero();
+    Vector12d mean;
+    mean.head<6>() = perturbation(fit.motion.pose, start.pose);
     mean.segment<3>(6) = start.angular - fit.motion.angular;
     mean.tail<3>() = start.linear - fit.motion.linear;
     Solver<N> solver(set_, mean, information, memory_);

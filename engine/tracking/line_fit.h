@@ -4,6 +4,7 @@
 #include "tracking/ring_lines.h"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,10 @@ namespace onestroke {
 
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
-/// What is known of a velocity before the picture: its standard deviations, rad/s and mm/s; by default those of hands
-/// at work.
-struct VelocityPrior {
+/// What is known of a motion before the picture, as standard deviations: of the pose (radians, millimetres), by default
+/// nothing, and of the velocity (rad/s, mm/s), by default that of hands at work.
+struct MotionPrior {
+  double turn = std::numeric_limits<double>::infinity(), shift = std::numeric_limits<double>::infinity();
   double angular = 3, linear = 500;
 };
 
@@ -59,7 +61,7 @@ class LineFitter {
   /// Passes over the picture, one after another. Where the shutter rolls the velocity is fitted with the pose, from and
   /// about the start's; elsewhere it stays as it is.
   LineFit fit(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& start,
-              const VelocityPrior& prior, std::span<const LineOptions> passes);
+              const MotionPrior& prior, std::span<const LineOptions> passes);
 
  private:
   LineSet set_;

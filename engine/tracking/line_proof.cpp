@@ -85,7 +85,7 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
 }
 
 bool LineProof::prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected,
-                      const VelocityPrior& prior, const Inks& inks, Detection& detection, Nearness nearness) {
+                      const MotionPrior& prior, const Inks& inks, Detection& detection, Nearness nearness) {
   std::span<const LineOptions> passes = short_passes;
   if (shows_long_cells(view.intrinsics, rod, expected.pose)) passes = long_passes;
   if (nearness != Nearness::roughly) passes = passes.last(nearness == Nearness::nearly ? 2 : 1);

@@ -21,7 +21,7 @@ enum class Nearness { roughly, nearly, exactly };
 class LineProof {
  public:
   /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue.
-  bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const VelocityPrior& prior,
+  bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const MotionPrior& prior,
              const Inks& inks, Detection& detection, Nearness nearness = Nearness::roughly);
 
  private:

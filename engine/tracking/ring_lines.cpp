@@ -15,6 +15,7 @@ namespace {
 
 // Samples along a line, from -reach to reach, and the step's blur, as a share of the reach.
 constexpr int steps = 9;
+constexpr double apart = 2.0 / steps;
 constexpr double step_blur = 0.4;
 // Of the step, what must lie within the reach.
 constexpr float min_rise = 0.6F;
@@ -40,9 +41,9 @@ constexpr double mitre_scatter = 3;
 constexpr int max_outlines = 8;
 constexpr float min_outline_contrast = 40;
 
-// The step and its derivative at the samples, in units of the reach.
+// The step's derivative at the samples, in units of the reach.
 struct Step {
-  std::array<float, steps> at{}, weight{};
+  std::array<float, steps> weight{};
   float weights = 0, level = 0;  // Sums of the weights, and of the heights by their weights.
   // Weights whose sum over a step tells by how much the offset that is found for it grows with the offset that it has:
   // as much where it is as wide as this one, more where it is steeper.
@@ -51,8 +52,7 @@ struct Step {
     double square = 0;
     std::array<double, steps> slope{}, height{};
     for (std::size_t i = 0; i < steps; ++i) {
-      const double x = 2.0 * (static_cast<double>(i) + 0.5) / steps - 1, z = x / step_blur;
-      at[i] = static_cast<float>(x);
+      const double x = apart * (static_cast<double>(i) - steps / 2), z = x / step_blur;
       height[i] = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
       slope[i] = std::exp(-0.5 * z * z) / (step_blur * std::sqrt(2 * std::numbers::pi));
       square += slope[i] * slope[i];
@@ -131,6 +131,15 @@ class LineMeter {
     return image_.contains(pixel.x(), pixel.y());
   }
 
+  // The derivative of the pixel by the point that it shows.
+  bool slope_of(const Vec3d& point, const Vec2d& pixel, Eigen::Matrix<double, 2, 3>& slope) const {
+    Vec2d same;
+    if (!plain_) return project(k_, point, same, slope);
+    const double iz = 1 / point.z();
+    slope << k_.fx * iz, 0, (k_.cx - pixel.x()) * iz, 0, k_.fy * iz, (k_.cy - pixel.y()) * iz;
+    return true;
+  }
+
   bool hidden(const RodModel::Section& section, const Vec3d& x) const {
     return !whole_ && rod_.hides_itself(section, motion_.pose.R.transpose() * (x - motion_.pose.t), eye_);
   }
@@ -157,7 +166,8 @@ class LineMeter {
   void line(int e, const RodModel::Section& section, const PlacedSection& here, double sine, double scatter) {
     const double cosine = std::sqrt(1 - sine * sine);
     const Vec3d out = here.out(sine, cosine), x = here.surface(rod_.radius(), out);
-    if (-out.dot(x) < min_facing * x.norm()) return;
+    if (const double facing = -out.dot(x); facing < 0 || facing * facing < min_facing * min_facing * x.squaredNorm())
+      return;
     const Vec3d a = placed_.middle_of(e - 1, placed_.middle(e - 1).out(sine, cosine));
     const Vec3d b = placed_.middle_of(e, placed_.middle(e).out(sine, cosine));
     Vec2d px, pa, pb;
@@ -173,7 +183,7 @@ class LineMeter {
     if (contrast < min_contrast) return;
     ++set_.shown;
     const double reach = std::min(options_.reach, 0.9 * cell);
-    const Vec2d to_a = (pa - px) / back, to_b = (pb - px) / on;
+    const Vec2d to_a = (pa - px) * (1 / back), to_b = (pb - px) * (1 / on);
     if (!image_.contains(px.x() + reach * to_a.x(), px.y() + reach * to_a.y())) return;
     if (!image_.contains(px.x() + reach * to_b.x(), px.y() + reach * to_b.y())) return;
     const Color la = linear(ca);
@@ -182,7 +192,9 @@ class LineMeter {
     const Vec3d turn = here.tangent.cross(out) * rod_.radius();
     const Vec3d rim_step = here.square ? turn : Vec3d(turn - (turn.dot(here.cut) / here.along) * here.tangent);
     const double noise = noise_sigma / static_cast<double>(contrast);
-    add(x, px, rim_step, (pb - pa).normalized(), along, scatter * std::sqrt(best_sigma * best_sigma + noise * noise), e,
+    // The two lead away from each other, but for the bend.
+    const Vec2d direction = 0.5 * (to_b - to_a);
+    add(x, px, rim_step, direction, along, scatter * std::sqrt(best_sigma * best_sigma + noise * noise), e,
         growth_of(rod_.ink(e - 1), rod_.ink(e)));
   }
 
@@ -194,9 +206,9 @@ class LineMeter {
   // The colour of a cell on a line, its middle at m, away from the edge at x.
   Color plateau(const Vec2d& x, const Vec2d& m) const {
     const Vec2d step = 0.2 * (m - x);
-    const Vec2d p = m - step, q = m + step;
-    if (!image_.contains(q.x(), q.y())) return image_.sample(m.x(), m.y());
-    return to_color(at(p) + at(m) + at(q)) / 3;
+    const ColorLanes middle = at(m);
+    if (!image_.contains(m.x() + step.x(), m.y() + step.y())) return to_color(middle);
+    return to_color((at(m - step) + middle + at(m + step)) * cv::v_setall_f32(1.0F / 3));
   }
 
   ColorLanes at(const Vec2d& p) const { return sample_lanes(image_, p.x(), p.y()); }
@@ -208,13 +220,22 @@ class LineMeter {
     static const Step step;
     const Color heavy = weighted(difference), d = heavy / (heavy * difference).sum();
     // The colours weighted as a whole, as what is wanted of each depends on it by a line.
-    ColorLanes sum = cv::v_setzero_f32(), gained = sum, first = sum, last = sum;
-    for (std::size_t i = 0; i < steps; ++i) {
-      const double s = static_cast<double>(step.at[i]) * reach;
-      last = linear(at(s < 0 ? Vec2d(px - s * to_a) : Vec2d(px + s * to_b)));
-      if (i == 0) first = last;
-      sum += cv::v_setall_f32(step.weight[i]) * last;
-      gained += cv::v_setall_f32(step.gain[i]) * last;
+    ColorLanes sum = cv::v_setzero_f32(), gained = sum;
+    const auto add = [&](std::size_t i, const ColorLanes& light) {
+      sum += cv::v_setall_f32(step.weight[i]) * light;
+      gained += cv::v_setall_f32(step.gain[i]) * light;
+    };
+    const Vec2d step_a = apart * reach * to_a, step_b = apart * reach * to_b;
+    const auto on_a = PicturePoint::step(step_a.x(), step_a.y()), on_b = PicturePoint::step(step_b.x(), step_b.y());
+    const auto middle = PicturePoint::at(px.x(), px.y());
+    add(steps / 2, linear(sample_lanes(image_, middle)));
+    PicturePoint back = middle, on = middle;
+    ColorLanes first = sum, last = sum;
+    for (std::size_t i = 1; i <= steps / 2; ++i) {
+      first = linear(sample_lanes(image_, back += on_a));
+      add(steps / 2 - i, first);
+      last = linear(sample_lanes(image_, on += on_b));
+      add(steps / 2 + i, last);
     }
     // Blur wider than the reach moves an edge as its neighbours will.
     if ((to_color(last - first) * d).sum() < min_rise) return 2 * reach;
@@ -225,13 +246,12 @@ class LineMeter {
   // An edge whose direction at a point is that of `tangent`, both in camera axes, was found `along` a direction.
   void add(const Vec3d& x, const Vec2d& px, const Vec3d& tangent, const Vec2d& direction, double along, double sigma,
            int cell, std::pair<int, double> growth) {
-    Vec2d pixel;
     Eigen::Matrix<double, 2, 3> by_point;
-    if (!project(k_, x, pixel, by_point)) return;
+    if (!slope_of(x, px, by_point)) return;
     const Vec2d edge = by_point * tangent;
     const double length = edge.norm();
     if (length < 1e-9) return;
-    Vec2d normal(-edge.y() / length, edge.x() / length);
+    const Vec2d normal = Vec2d(-edge.y(), edge.x()) * (1 / length);
     const double across = direction.dot(normal);
     if (std::abs(across) < 0.3) return;
     const Vec3d gradient = (normal.transpose() * by_point).transpose();

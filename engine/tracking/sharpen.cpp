@@ -27,7 +27,7 @@ void Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d
   if (!rod.has_roll() || pitch_in_pixels(view.intrinsics, rod, before) < min_pitch) return;
   Motion start;
   start.pose = before;
-  const LineFit fit = fitter_.fit(view, rod, d.inks, start, VelocityPrior{}, passes);
+  const LineFit fit = fitter_.fit(view, rod, d.inks, start, MotionPrior{}, passes);
   const bool by_look = d.likelihood > 0;
   if (!fit.settled() || fit.rms > max_rms || fit.shown < (by_look ? min_shown_by_look : min_shown) * fit.expected)
     return;

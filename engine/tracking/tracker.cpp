@@ -152,7 +152,7 @@ class Tracker::Impl {
                         to_eigen(velocity.linear)};
     // A hand that stops at once is as likely as one that a bad measurement made seem to move.
     const Motion still{to_eigen(T_camera_world * f.last_seen())};
-    const VelocityPrior prior = f.velocity_prior(time_);
+    const MotionPrior prior = f.motion_prior(time_);
     const auto off = [&](const EigenPose& pose) {
       return shift_in_picture(picture.intrinsics, rod, pose, moving.pose);
     };
@@ -305,7 +305,7 @@ class Tracker::Impl {
   bool levels_made_ = false;
   Time time_, last_time_;
   static constexpr int long_ago = 1 << 20;                              // Pictures.
-  static constexpr double max_slow_shift = 2, max_settled_shift = 0.5;  // Pixels.
+  static constexpr double max_slow_shift = 4, max_settled_shift = 0.5;  // Pixels.
   static constexpr int sharpen_when_standing_for = 4, sharpen_every = 3;
   int since_search_ = 0, since_thorough_ = long_ago, since_sharpened_ = 0;
   std::size_t last_sharpened_ = 0;
