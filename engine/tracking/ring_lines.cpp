@@ -1,5 +1,6 @@
 #include "tracking/ring_lines.h"
 
+#include "tracking/edge_step.h"
 #include "tracking/placed_rod.h"
 #include "tracking/sampling.h"
 
@@ -7,20 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace onestroke {
 namespace {
 
-// Samples along a line, from -reach to reach, and the step's blur, as a share of the reach.
-constexpr int steps = 9;
-constexpr double apart = 2.0 / steps;
-constexpr double step_blur = 0.4;
 // Of the step, what must lie within the reach.
 constexpr float min_rise = 0.6F;
-// The blur of the fitted step and the picture's own together lie between these, as shares of the reach.
-constexpr float min_blur = 0.4F, max_blur = 0.95F;
 // A surface seen at a flatter angle than this (cosine) shows gloss and what is behind.
 constexpr double min_facing = 0.2;
 // Less than this many pixels to the middle of the next cell: the inks run together.
@@ -40,48 +34,6 @@ constexpr double mitre_scatter = 3;
 // Places beside one cell.
 constexpr int max_outlines = 8;
 constexpr float min_outline_contrast = 40;
-
-// The step's derivative at the samples, in units of the reach.
-struct Step {
-  std::array<float, steps> weight{};
-  float weights = 0, level = 0;  // Sums of the weights, and of the heights by their weights.
-  // Weights whose sum over a step tells by how much the offset that is found for it grows with the offset that it has:
-  // as much where it is as wide as this one, more where it is steeper.
-  std::array<float, steps> gain{};
-  Step() {
-    double square = 0;
-    std::array<double, steps> slope{}, height{};
-    for (std::size_t i = 0; i < steps; ++i) {
-      const double x = apart * (static_cast<double>(i) - steps / 2), z = x / step_blur;
-      height[i] = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
-      slope[i] = std::exp(-0.5 * z * z) / (step_blur * std::sqrt(2 * std::numbers::pi));
-      square += slope[i] * slope[i];
-    }
-    for (std::size_t i = 0; i < steps; ++i) {
-      weight[i] = static_cast<float>(-slope[i] / square);
-      weights += weight[i];
-      level += weight[i] * static_cast<float>(height[i]);
-    }
-    double own = 0;
-    for (std::size_t i = 0; i < steps; ++i) {
-      gain[i] = (i + 1 < steps ? weight[i + 1] : 0) - (i > 0 ? weight[i - 1] : 0);
-      own += static_cast<double>(gain[i]) * height[i];
-    }
-    for (float& g : gain) g /= static_cast<float>(own);
-  }
-
-  // Where a Gaussian step lies for which the weights found an offset and a gain, whatever its own blur: they found the
-  // integral of a Gaussian of both blurs together, and its slope.
-  static float offset(float found, float gained) {
-    constexpr auto scale = static_cast<float>(2 * step_blur / std::numbers::inv_sqrtpi);
-    const float share = std::clamp(found / scale, -0.45F, 0.45F), square = share * share;
-    // The quantile of the normal distribution, as its series goes (Pade).
-    constexpr float root = 2.50663F;
-    const float quantile = root * share * (1 - 1.152F * square) / (1 - 2.2F * square);
-    const float slope = scale / root * std::exp(-0.5F * quantile * quantile);
-    return quantile * (gained * max_blur < slope ? max_blur : std::max(min_blur, slope / gained));
-  }
-};
 
 // Linear light from levels, near enough for shares of a difference: a gamma of 2. What is left moves the edges between
 // two inks all alike, and is fitted as their growth.
@@ -217,7 +169,8 @@ class LineMeter {
   // reach where it does not.
   double step_offset(const Vec2d& px, const Vec2d& to_a, const Vec2d& to_b, double reach, const Color& at_a,
                      const Color& difference) const {
-    static const Step step;
+    static const EdgeStep step;
+    constexpr std::size_t half = EdgeStep::samples / 2;
     const Color heavy = weighted(difference), d = heavy / (heavy * difference).sum();
     // The colours weighted as a whole, as what is wanted of each depends on it by a line.
     ColorLanes sum = cv::v_setzero_f32(), gained = sum;
@@ -225,22 +178,22 @@ class LineMeter {
       sum += cv::v_setall_f32(step.weight[i]) * light;
       gained += cv::v_setall_f32(step.gain[i]) * light;
     };
-    const Vec2d step_a = apart * reach * to_a, step_b = apart * reach * to_b;
+    const Vec2d step_a = EdgeStep::spacing * reach * to_a, step_b = EdgeStep::spacing * reach * to_b;
     const auto on_a = PicturePoint::step(step_a.x(), step_a.y()), on_b = PicturePoint::step(step_b.x(), step_b.y());
     const auto middle = PicturePoint::at(px.x(), px.y());
-    add(steps / 2, linear(sample_lanes(image_, middle)));
+    add(half, linear(sample_lanes(image_, middle)));
     PicturePoint back = middle, on = middle;
     ColorLanes first = sum, last = sum;
-    for (std::size_t i = 1; i <= steps / 2; ++i) {
+    for (std::size_t i = 1; i <= half; ++i) {
       first = linear(sample_lanes(image_, back += on_a));
-      add(steps / 2 - i, first);
+      add(half - i, first);
       last = linear(sample_lanes(image_, on += on_b));
-      add(steps / 2 + i, last);
+      add(half + i, last);
     }
     // Blur wider than the reach moves an edge as its neighbours will.
     if ((to_color(last - first) * d).sum() < min_rise) return 2 * reach;
     const float found = ((to_color(sum) - step.weights * at_a) * d).sum() - step.level;
-    return static_cast<double>(Step::offset(found, (to_color(gained) * d).sum())) * reach;
+    return static_cast<double>(EdgeStep::offset(found, (to_color(gained) * d).sum())) * reach;
   }
 
   // An edge whose direction at a point is that of `tangent`, both in camera axes, was found `along` a direction.
