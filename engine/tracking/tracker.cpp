@@ -304,7 +304,7 @@ class Tracker::Impl {
   Levels smoothed_;
   bool levels_made_ = false;
   Time time_, last_time_;
-  static constexpr int long_ago = 1 << 20;                              // Pictures.
+  static constexpr int long_ago = 1 << 20;                                // Pictures.
   static constexpr double max_slow_shift = 2.5, max_settled_shift = 0.5;  // Pixels.
   static constexpr int sharpen_when_standing_for = 4, sharpen_every = 3;
   int since_search_ = 0, since_thorough_ = long_ago, since_sharpened_ = 0;
