@@ -1,13 +1,15 @@
 #include "tracking/photometric_fit.h"
 
+#include "tracking/blur_search.h"
 #include "tracking/cell_evidence.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <span>
+#include <vector>
 
 namespace onestroke {
 namespace {
@@ -19,15 +21,20 @@ using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
 // Blur of both pictures beyond the camera's own, from wide, which draws a far start in, to narrow. Working pixels.
-constexpr std::array<double, 12> extra_blur{2.5, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
-// Blurs of the camera that are tried, working pixels, what it is taken for until one is chosen, and at which steps that
-// is.
+constexpr std::array<double, 12> extra_from_near{2.0, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+constexpr std::array<double, 12> extra_from_afar{2.5, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+// Blurs of the camera that are tried, working pixels, and at which steps from afar.
 constexpr std::array<double, 9> camera_blurs{0.35, 0.6, 0.9, 1.3, 1.9, 2.7, 3.8, 4.6, 5.5};
-constexpr double usual_blur = 0.6;
 constexpr std::array<std::size_t, 2> blur_chosen_at{1, 4};
-// Times the blur chosen, what is tried near by once it is sure to be the right one, and at which step that is.
+// Of the rod's nearest and farthest ends, and times what they are, as the fit from near draws in.
+constexpr std::array<double, 12> end_blurs{-5.5, -3.8, -2.7, -1.9, -1.2, -0.6, 0.6, 1.2, 1.9, 2.7, 3.8, 5.5};
+constexpr std::array<double, 6> ends_about{0.5, 0.7, 0.85, 1.2, 1.4, 2}, ends_near_by{0.7, 0.84, 0.92, 1.09, 1.19, 1.4};
 constexpr std::array<double, 5> blurs_near_by{0.84, 0.92, 1, 1.09, 1.19};
-constexpr std::size_t blur_measured_at = 7;
+constexpr std::size_t ends_about_at = 3, ends_near_by_at = 6, blur_measured_at = 7;
+// Of what near fits search, working pixels.
+constexpr double widest_near = 9;
+// The share of the camera's own blur by which both pictures of a near fit are blurred once more, at the least.
+constexpr double noise_in_blur = 0.25;
 constexpr double momentum = 0.8;
 // From afar no more steps than these are taken: what little an arm at the camera shows draws no further.
 constexpr std::size_t steps_from_afar = 10;
@@ -45,27 +52,26 @@ constexpr std::array<float, 4> spreads{0.02F, 0.035F, 0.06F, 0.1F};
 // While the pose is not fitted yet, what shows on the rod may be another ring than predicted.
 constexpr float may_be_any_ring = 0.3F;
 
-// What a blur is worth with which nothing shows.
-constexpr double nowhere = -1e9;
-
 class Fitter {
  public:
   Fitter(const ImageView& image, const Intrinsics& k, const RodModel& rod, const Inks& inks, const Surroundings& around)
       : inks_(inks), raster_(image, k, rod), look_(raster_), evidence_(raster_, look_, inks, around) {}
 
-  PhotometricFit run(const EigenPose& start, const PhotometricOptions& options) {
+  PhotometricFit run(const EigenPose& start, const PhotometricOptions& options, bool by_depth) {
+    by_depth_ = by_depth;
     result_.pose = start;
     near_ = options.near;
-    if (!raster_.crop(start)) return result_;
-    camera_blur_ = options.blur > 0 ? options.blur / raster_.factor() : usual_blur;
-    result_.valid = (options.fit ? fit(options.blur == 0) : look()) && score();
+    if (!raster_.crop(start, near_ ? RodRaster::Detail::full : RodRaster::Detail::enough)) return result_;
+    camera_blur_.middle = (start * raster_.rod().centre()).z();
+    if (options.blur) camera_blur_ = options.blur->scaled(1.0 / raster_.factor());
+    result_.valid = (options.fit ? fit(!options.blur) : look()) && score();
     return result_;
   }
 
  private:
   // Measures the pose as it is.
   bool look() {
-    blur_picture(extra_blur.back());
+    blur_picture(std::max(extra_from_afar.back(), least_extra()));
     if (!cast() || !first_weights()) return false;
     // Once for the inks, and once more for what they show to be covered.
     return reweigh() && reweigh();
@@ -74,14 +80,13 @@ class Fitter {
   bool fit(bool find_blur) {
     EigenPose& pose = result_.pose;
     Vector6d last = Vector6d::Zero();
-    const std::size_t steps = near_ ? extra_blur.size() : steps_from_afar;
+    const auto& extra = by_depth_ ? extra_from_near : extra_from_afar;
+    const std::size_t steps = near_ ? extra.size() : steps_from_afar;
     for (std::size_t i = 0; i < steps; ++i) {
-      blur_picture(extra_blur[i]);
+      blur_picture(std::max(extra[i], least_extra()));
       if (!cast()) return false;
       if (i == 0 && !first_weights()) return false;
-      if (find_blur && std::find(blur_chosen_at.begin(), blur_chosen_at.end(), i) != blur_chosen_at.end())
-        choose_blur(camera_blurs);
-      if (find_blur && near_ && i == blur_measured_at) measure_blur();
+      if (find_blur) near_ ? find_blur_near(i) : find_blur_afar(i);
       if (!reweigh()) return false;
       Vector6d step;
       if (!solve(step)) return false;
@@ -113,7 +118,7 @@ class Fitter {
   // How far colours scatter about what is predicted is the picture's own: the likeliest.
   bool score() {
     if (!inks_differ()) return false;
-    result_.blur = camera_blur_ * raster_.factor();
+    result_.blur = camera_blur_.scaled(raster_.factor());
     result_.likelihood = result_.proof = -1e9;
     evidence_.sample(seen_);
     for (const float spread : spreads) {
@@ -127,12 +132,19 @@ class Fitter {
     return true;
   }
 
+  // Noise within the blur tells nothing, and what is far off in it would be taken for a cover.
+  double least_extra() const { return by_depth_ ? noise_in_blur * std::abs(camera_blur_.sigma) : 0; }
+
   void blur_picture(double extra) {
     extra_ = extra;
     gaussian_blur(raster_.linear(), seen_, extra_);
   }
 
-  bool cast() { return raster_.cast(result_.pose, 2 + 2.5 * std::hypot(camera_blur_, extra_)); }
+  // What lies out of the widest blur's reach counts for nothing.
+  bool cast() {
+    const double widest = near_ ? widest_near : std::abs(camera_blur_.sigma);
+    return raster_.cast(result_.pose, 2 + 2.5 * std::hypot(widest, extra_));
+  }
 
   // Before inks are known in linear light: the pixels whose ink is the one expected.
   bool first_weights() {
@@ -202,31 +214,61 @@ class Fitter {
     return std::sqrt((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 3) / level(y, x);
   }
 
-  // The blur with which the rod shows best, where it is sure to be there, or else the one with which it errs least.
-  void choose_blur(std::span<const double> candidates) {
-    const cv::Mat before = weight_.clone();
-    double best = nowhere, chosen = camera_blur_;
-    for (const double candidate : candidates) {
-      // From afar it changes little once it is chosen.
-      if (!near_ && chosen_ && (candidate < 0.6 * chosen || candidate > 1.6 * chosen)) continue;
-      camera_blur_ = candidate;
-      before.copyTo(weight_);
-      if (!reweigh()) continue;
-      const double worth = near_ ? visible_or_covered(evidence_.against_plain()) : -cost_;
-      if (worth <= best) continue;
-      best = worth;
-      chosen = candidate;
-    }
-    camera_blur_ = chosen;
-    chosen_ = true;
-    before.copyTo(weight_);
+  // What a blur is worth: how well the rod shows with it, where it is sure to be there, or else how little it errs. It
+  // is measured from the same weights each time.
+  double worth(const cv::Mat& weight, const CameraBlur& blur) {
+    camera_blur_ = blur;
+    weight.copyTo(weight_);
+    if (!reweigh()) return std::numeric_limits<double>::lowest();
+    return near_ ? visible_or_covered(evidence_.against_plain()) : -cost_;
   }
 
-  void measure_blur() {
-    std::array<double, blurs_near_by.size()> candidates;
-    std::transform(blurs_near_by.begin(), blurs_near_by.end(), candidates.begin(),
-                   [this](double times) { return times * camera_blur_; });
-    choose_blur(candidates);
+  void find_blur_afar(std::size_t step) {
+    if (std::find(blur_chosen_at.begin(), blur_chosen_at.end(), step) == blur_chosen_at.end()) return;
+    const cv::Mat weight = weight_.clone();
+    const auto search = step == blur_chosen_at.front() ? best_even_blur : best_even_blur_near_by;
+    camera_blur_ = search(camera_blur_, camera_blurs, [&](const CameraBlur& blur) { return worth(weight, blur); });
+    weight.copyTo(weight_);
+  }
+
+  void find_blur_near(std::size_t step) {
+    if (by_depth_) return find_blur_by_depth(step);
+    const cv::Mat weight = weight_.clone();
+    const auto measure = [&](const CameraBlur& blur) { return worth(weight, blur); };
+    if (step == blur_chosen_at[0] || step == blur_chosen_at[1]) {
+      camera_blur_ = best_even_blur(camera_blur_, camera_blurs, measure);
+    } else if (step == blur_measured_at) {
+      std::array<double, 5> sigmas;
+      std::transform(blurs_near_by.begin(), blurs_near_by.end(), sigmas.begin(),
+                     [&](double times) { return times * camera_blur_.sigma; });
+      camera_blur_ = best_even_blur(camera_blur_, sigmas, measure);
+    }
+    weight.copyTo(weight_);
+  }
+
+  void find_blur_by_depth(std::size_t step) {
+    const cv::Mat weight = weight_.clone();
+    const auto measure = [&](const CameraBlur& blur) { return worth(weight, blur); };
+    const DepthRange range = depth_range();
+    if (step == 0) {
+      const CameraBlur even = best_even_blur(camera_blur_, camera_blurs, measure);
+      camera_blur_ = best_blur_by_depth(even, range, {end_blurs}, measure);
+    } else if (step == ends_about_at) {
+      camera_blur_ = best_blur_by_depth(camera_blur_, range, {ends_about, true}, measure);
+    } else if (step == ends_near_by_at) {
+      camera_blur_ = best_blur_by_depth(camera_blur_, range, {ends_near_by, true}, measure);
+    }
+    weight.copyTo(weight_);
+  }
+
+  DepthRange depth_range() const {
+    DepthRange range{std::numeric_limits<double>::max(), 0};
+    const RodModel& rod = raster_.rod();
+    for (int e = 0; e <= rod.cell_count(); ++e) {
+      const double z = (result_.pose * rod.edge(e).centre).z();
+      range = {std::min(range.near, z), std::max(range.far, z)};
+    }
+    return range;
   }
 
   // Gauss-Newton on the pose and the growth, which is taken for linear: it is a tenth of a pixel.
@@ -286,9 +328,9 @@ class Fitter {
   RodLook look_;
   CellEvidence evidence_;
   PhotometricFit result_;
-  double camera_blur_ = usual_blur, extra_ = 0, cost_ = 0;
-  bool near_ = false;
-  bool chosen_ = false;
+  CameraBlur camera_blur_;
+  double extra_ = 0, cost_ = 0;
+  bool near_ = false, by_depth_ = false;
   cv::Mat seen_, weight_;
   std::vector<float> errors_;
   std::array<double, max_cells> visible_{};  // Probability, by cell.
@@ -299,7 +341,12 @@ class Fitter {
 PhotometricFit fit_photometric(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod,
                                const Inks& inks, const Surroundings& surroundings, const EigenPose& start,
                                const PhotometricOptions& options) {
-  return Fitter(image, intrinsics, rod, inks, surroundings).run(start, options);
+  Fitter fitter(image, intrinsics, rod, inks, surroundings);
+  if (!options.near || !options.fit) return fitter.run(start, options, options.near);
+  const PhotometricFit even = fitter.run(start, options, false);
+  const PhotometricFit by_depth = Fitter(image, intrinsics, rod, inks, surroundings).run(start, options, true);
+  if (!even.valid || !by_depth.valid) return even.valid ? even : by_depth;
+  return likelier(even, by_depth) ? even : by_depth;
 }
 
 }  // namespace onestroke

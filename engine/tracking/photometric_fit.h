@@ -1,10 +1,12 @@
 #pragma once
 
+#include "tracking/camera_blur.h"
 #include "tracking/image_view.h"
 #include "tracking/inks.h"
 #include "tracking/likelihood.h"
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace onestroke {
 
@@ -19,16 +21,17 @@ struct PhotometricFit {
   double likelihood = 0;
   double weakest_arm = 0;  ///< What the straight arm that shows least has of it.
   double proof = 0;        ///< As the likelihood, a plain thing in place of the rod being among what else it may be.
-  double blur = 0;         ///< Of the picture, as shows the rod best: standard deviation along an axis, pixels.
+  CameraBlur blur;         ///< As shows the rod best, pixels of the picture.
   bool valid = false;
 };
 
 struct PhotometricOptions {
   /// False: the pose is taken as it is, and only what it explains is measured.
   bool fit = true;
-  /// Of the camera where it is known, pixels; 0 where the best is to be found.
-  double blur = 0;
-  /// The rod is sure to be there, and the start about as exact as ring edges out of focus leave it.
+  /// Of the camera where it is known, pixels of the picture; else the best is found.
+  std::optional<CameraBlur> blur = std::nullopt;
+  /// The rod is sure to be there, and the start about as exact as ring edges out of focus leave it: a fit in full
+  /// detail, and blurs that differ by depth.
   bool near = false;
 };
 

@@ -12,8 +12,11 @@ namespace {
 using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
-// A blur wider than this, pixels, is defocus, which spreads a point over a disc.
-constexpr double widest_sharp = 2;
+// A blur wider than this, working pixels, is defocus, which spreads a point over a disc.
+constexpr double widest_sharp = 2, widest_sharp_in_full = 1;
+// Of layers that are blurred each by its own, working pixels.
+constexpr double layer_gap = 0.7;
+constexpr int max_layers = 6;
 
 // Where this share of a pixel is rod, the pixel tells the rod's colour.
 constexpr float mostly_rod = 0.7F;
@@ -80,21 +83,61 @@ void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
   cv::GaussianBlur(from, to, cv::Size(2 * reach + 1, 2 * reach + 1), sigma, sigma, cv::BORDER_REPLICATE);
 }
 
-void RodLook::blur_as_camera(double camera_blur, double extra_blur) {
-  if (camera_blur < widest_sharp) {
-    gaussian_blur(raster_.mix(), mix_, std::hypot(camera_blur, extra_blur));
+void RodLook::blur_evenly(const cv::Mat& mix, double camera_blur, double extra_blur, cv::Mat& to) {
+  if (camera_blur < (raster_.detail() == RodRaster::Detail::full ? widest_sharp_in_full : widest_sharp)) {
+    gaussian_blur(mix, to, std::hypot(camera_blur, extra_blur));
     return;
   }
-  disc_blur(raster_.mix(), spread_, camera_blur);
-  gaussian_blur(spread_, mix_, extra_blur);
+  disc_blur(mix, spread_, camera_blur);
+  gaussian_blur(spread_, to, extra_blur);
 }
 
-bool RodLook::compose(const cv::Mat& seen, const cv::Mat& weight, double camera_blur, double extra_blur) {
+double RodLook::blur_as_camera(const CameraBlur& camera_blur, double extra_blur) {
+  if (camera_blur.by_nearness != 0) return blur_by_depth(camera_blur, extra_blur);
+  blur_evenly(raster_.mix(), camera_blur.sigma, extra_blur, mix_);
+  return camera_blur.sigma;
+}
+
+// Layers of one blur each; what lies between two is shared out to both.
+double RodLook::blur_by_depth(const CameraBlur& camera_blur, double extra_blur) {
+  double least = 1e9, most = 0;
+  for (const auto& [y, x, i] : raster_.spots()) {
+    if (raster_.mix().at<Pixel4>(y, x)[3] == 0 || !raster_.within_reach(i)) continue;
+    const double b = camera_blur.at(raster_.point(i).z());
+    least = std::min(least, b);
+    most = std::max(most, b);
+  }
+  if (most - least < 0.1) {
+    blur_evenly(raster_.mix(), most, extra_blur, mix_);
+    return most;
+  }
+  const int gaps = std::clamp(static_cast<int>(std::lround((most - least) / layer_gap)), 1, max_layers - 1);
+  const double gap = (most - least) / gaps;
+  cv::Mat blurred;
+  for (int l = 0; l <= gaps; ++l) {
+    layer_.create(seen_.rows, seen_.cols, CV_32FC4);
+    layer_.setTo(0);
+    for (const auto& [y, x, i] : raster_.spots()) {
+      const Pixel4& m = raster_.mix().at<Pixel4>(y, x);
+      if (m[3] == 0 || !raster_.within_reach(i)) continue;
+      const double place = (camera_blur.at(raster_.point(i).z()) - least) / gap;
+      const double share = 1 - std::abs(place - l);
+      if (share > 0) layer_.at<Pixel4>(y, x) = m * static_cast<float>(share);
+    }
+    blur_evenly(layer_, least + l * gap, extra_blur, blurred);
+    if (l == 0)
+      blurred.copyTo(mix_);
+    else
+      mix_ += blurred;
+  }
+  return most;
+}
+
+bool RodLook::compose(const cv::Mat& seen, const cv::Mat& weight, const CameraBlur& camera_blur, double extra_blur) {
   seen_ = seen;
   weight_ = weight;
-  const double whole = std::hypot(camera_blur, extra_blur);
-  blur_as_camera(camera_blur, extra_blur);
-  find_surroundings(std::max(3.0, 1.2 * whole));
+  const double widest = blur_as_camera(camera_blur, extra_blur);
+  find_surroundings(std::max(3.0, 1.2 * std::hypot(widest, extra_blur)));
   if (!find_inks()) return false;
   find_veils();
   find_shading();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tracking/camera_blur.h"
 #include "tracking/rod_raster.h"
 
 #include <array>
@@ -22,7 +23,7 @@ class RodLook {
 
   /// `seen`: the raster's picture in linear light, blurred beyond the camera by `extra_blur`; `weight`: how far each
   /// pixel is trusted to show the rod, CV_32F; blurs in working pixels. False where the inks cannot be told.
-  bool compose(const cv::Mat& seen, const cv::Mat& weight, double camera_blur, double extra_blur);
+  bool compose(const cv::Mat& seen, const cv::Mat& weight, const CameraBlur& camera_blur, double extra_blur);
 
   /// Linear light, CV_32FC3; as seen, away from the rod's spots.
   const cv::Mat& picture() const { return picture_; }
@@ -32,7 +33,10 @@ class RodLook {
   bool known(int y, int x) const { return known_.at<std::uint8_t>(y, x) != 0; }
 
  private:
-  void blur_as_camera(double camera_blur, double extra_blur);
+  // Both return the widest blur of the rod.
+  double blur_as_camera(const CameraBlur& camera_blur, double extra_blur);
+  double blur_by_depth(const CameraBlur& camera_blur, double extra_blur);
+  void blur_evenly(const cv::Mat& mix, double camera_blur, double extra_blur, cv::Mat& to);
   bool find_inks();
   void find_surroundings(double blur);
   void find_veils();
@@ -45,7 +49,7 @@ class RodLook {
   static constexpr std::size_t arms = 8;
 
   const RodRaster& raster_;
-  cv::Mat seen_, weight_, spread_, mix_, outside_, rod_light_, shading_, picture_, known_;
+  cv::Mat seen_, weight_, spread_, layer_, mix_, outside_, rod_light_, shading_, picture_, known_;
   std::array<cv::Vec3f, 3> inks_;
   std::array<float, arms> veil_{};  // By arm, the bends first.
   cv::Vec3f white_;

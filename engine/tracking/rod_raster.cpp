@@ -12,7 +12,9 @@ namespace {
 using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
-constexpr double working_thickness = 14;
+constexpr double working_thickness = 14, full_thickness = 40;
+// Left around the rod, working pixels.
+constexpr int working_room = 13, full_room = 22;
 // No cell.
 constexpr std::uint8_t nothing = 255;
 
@@ -30,10 +32,14 @@ const std::array<float, 256>& linear_light() {
 
 }  // namespace
 
-bool RodRaster::crop(const EigenPose& about) {
+bool RodRaster::crop(const EigenPose& about, Detail detail) {
   const double depth = (about * rod_.centre()).z();
   if (depth < 10) return false;
-  factor_ = std::max(1, static_cast<int>(2 * rod_.radius() * k_.fx / depth / working_thickness));
+  detail_ = detail;
+  const bool full = detail == Detail::full;
+  factor_ =
+      std::max(1, static_cast<int>(2 * rod_.radius() * k_.fx / depth / (full ? full_thickness : working_thickness)));
+  const int room = full ? full_room : working_room;
   double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
   for (int e = 0; e <= rod_.cell_count(); ++e) {
     Vec2d p;
@@ -41,14 +47,14 @@ bool RodRaster::crop(const EigenPose& about) {
     x0 = std::min(x0, p.x()), x1 = std::max(x1, p.x());
     y0 = std::min(y0, p.y()), y1 = std::max(y1, p.y());
   }
-  const double margin = 1.5 * rod_.radius() * k_.fx / depth + 14.0 * factor_;
+  const double margin = 1.5 * rod_.radius() * k_.fx / depth + (room + 1.0) * factor_;
   left_ = std::max(0, static_cast<int>((x0 - margin) / factor_));
   top_ = std::max(0, static_cast<int>((y0 - margin) / factor_));
   const int right = std::min(image_.width / factor_, static_cast<int>((x1 + margin) / factor_) + 1);
   const int bottom = std::min(image_.height / factor_, static_cast<int>((y1 + margin) / factor_) + 1);
   if (right - left_ < 8 || bottom - top_ < 8) return false;
   reduce(right - left_, bottom - top_);
-  find_spots(about);
+  find_spots(about, room);
   return true;
 }
 
@@ -76,7 +82,7 @@ void RodRaster::reduce(int width, int height) {
     }
 }
 
-void RodRaster::find_spots(const EigenPose& about) {
+void RodRaster::find_spots(const EigenPose& about, int room) {
   std::vector<cv::Point> line;
   double thickness = 0;
   for (int e = 0; e <= rod_.cell_count(); ++e) {
@@ -88,7 +94,7 @@ void RodRaster::find_spots(const EigenPose& about) {
     thickness = std::max(thickness, 2 * rod_.radius() * k_.fx / factor_ / std::max(1.0, centre.z()));
   }
   cv::Mat mask(linear_.rows, linear_.cols, CV_8U, cv::Scalar(0));
-  cv::polylines(mask, line, false, cv::Scalar(1), std::min(static_cast<int>(1.3 * thickness) + 26, 250));
+  cv::polylines(mask, line, false, cv::Scalar(1), std::min(static_cast<int>(1.3 * thickness) + 2 * room, 250));
   spots_.clear();
   for (int y = 0; y < mask.rows; ++y)
     for (int x = 0; x < mask.cols; ++x)

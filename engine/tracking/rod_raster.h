@@ -11,15 +11,18 @@
 namespace onestroke {
 
 /// The part of a picture that a rod may move in, and which of its rings each pixel there would show. All planes are of
-/// one size, in working pixels: the picture is reduced until the rod is about 14 pixels thick, as more tell nothing
-/// that the ring edges do not. Borrows what it is given; used by one thread.
+/// one size, in working pixels: the picture itself, or reduced until the rod is about 14 pixels thick. Borrows what it
+/// is given; used by one thread.
 class RodRaster {
  public:
   RodRaster(const ImageView& image, const Intrinsics& k, const RodModel& rod)
       : image_(image), k_(k), rod_(rod), caster_(rod) {}
 
+  /// How much of a picture a rod's working pixels keep: a thick rod may be reduced, and less room is left around it; or
+  /// all, and room for the widest defocus.
+  enum class Detail { enough, full };
   /// Cuts the part around a pose out of the picture; false where none of it is to be seen.
-  bool crop(const EigenPose& about);
+  bool crop(const EigenPose& about, Detail detail);
   /// Casts the rod at a pose near that of crop(); surface points are given to `reach` working pixels beyond its
   /// outline. False where hardly anything of it lies in the part.
   bool cast(const EigenPose& pose, double reach);
@@ -46,12 +49,13 @@ class RodRaster {
 
   /// Pixels of the picture that a working pixel is wide.
   int factor() const { return factor_; }
+  Detail detail() const { return detail_; }
   const RodModel& rod() const { return rod_; }
   const Intrinsics& intrinsics() const { return k_; }
 
  private:
   void reduce(int width, int height);
-  void find_spots(const EigenPose& about);
+  void find_spots(const EigenPose& about, int room);
   void cast_edges(const Vec3d& eye, const Mat3d& back);
   std::uint8_t cell_at(double s) const;
 
@@ -59,6 +63,7 @@ class RodRaster {
   const Intrinsics& k_;
   const RodModel& rod_;
   RodCaster caster_;
+  Detail detail_ = Detail::enough;
   int factor_ = 1, left_ = 0, top_ = 0;
   cv::Mat coded_, linear_, mix_;
   std::vector<Spot> spots_;

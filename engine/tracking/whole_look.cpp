@@ -30,9 +30,9 @@ constexpr int max_rounds = 2, rolls_a_side = 6;
 constexpr double roll_step = 0.04;
 constexpr std::size_t max_climbs = 24, max_beside = 3;
 constexpr int rivals_an_arm = 3;
-// Nats by which a pose may look less likely for what the rod seems to have grown.
-constexpr double as_likely = 15;
 constexpr std::size_t max_around = 6;
+// Nats that are more than chance between two poses near one another.
+constexpr double clearly = 2;
 // Radians.
 constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 // Cells shorter than this, pixels, edges that scatter by more, and where a smaller share of them is found: measured by
@@ -60,20 +60,23 @@ struct WholeLook::Fits {
 
   LikelihoodMeter meter(const Inks& inks) const { return {image, look.intrinsics_, rod, inks, around}; }
 
-  void add(const EigenPose& start, const Inks& inks, const PhotometricOptions& options = {}) {
-    const PhotometricFit f = fit(start, inks, options);
+  void add(const EigenPose& start, const Inks& inks) {
+    const PhotometricFit f = fit(start, inks);
     if (!f.valid) return;
     all.push_back({f, inks});
     likeliest_first(all);
   }
 
-  // The best fit once more, now that the rod is sure to be there.
-  void settle() {
-    const Fit& best = all.front();
-    const PhotometricFit again = fit(best.pose, best.inks, {.blur = best.blur, .near = true});
-    if (again.valid && again.likelihood > best.likelihood - as_likely &&
-        angle_between(again.pose, best.pose) < same_turn)
-      static_cast<PhotometricFit&>(all.front()) = again;
+  // A pose once more, now that the rod is sure to be there; that takes the place of the best fit. False where it finds
+  // nothing near by that is clearly likelier.
+  bool settle(const EigenPose& pose) {
+    const Inks inks = all.front().inks;
+    const PhotometricFit settled = fit(pose, inks, {.near = true});
+    if (!settled.valid || angle_between(settled.pose, pose) > same_turn) return false;
+    const PhotometricFit before = fit(pose, inks, {false, settled.blur, true});
+    if (before.valid && settled.likelihood < before.likelihood + clearly) return false;
+    static_cast<PhotometricFit&>(all.front()) = settled;
+    return true;
   }
 
   // Likelihoods are compared before the surroundings of one place: those of the best fit, once it has been drawn in
@@ -200,7 +203,11 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
     if (angle_between(before, fits.all.front().pose) < 0.01) break;
   }
   detection = measure(fits);
-  return believed(fits, detection);
+  const bool before = believed(fits, detection);
+  if (pitch_in_pixels(intrinsics_, fits.rod, fits.all.front().pose) < small_pitch) return before;
+  if (!fits.settle(fits.all.front().pose)) return before;
+  detection = measure(fits);
+  return before || believed(fits, detection);
 }
 
 // Fits the candidates that the meter finds likeliest, once each.
@@ -268,20 +275,30 @@ void WholeLook::polish(Detection& d) const {
   const bool doubtful = r.rms > loose || r.supported < few * r.expected;
   if (d.likelihood > 0 || (!small && !doubtful)) return;
   Fits fits(*this, d.marker, r.pose);
-  fits.add(r.pose, d.inks, {.near = !small});
+  fits.add(r.pose, d.inks);
   if (doubtful && rod.has_roll()) add_rivals(fits, d);
   if (fits.all.empty()) return;
-  if (!small) fits.settle();
-  const Fits::Fit& best = fits.all.front();
-  const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, best.blur});
-  if (!as_it_was.valid || likelier(as_it_was, best)) return;
-  if (angle_between(best.pose, r.pose) > apart) {
+  const auto is_rival = [&](const Fits::Fit& f) { return angle_between(f.pose, r.pose) > apart; };
+  if (is_rival(fits.all.front())) {
     // What ring edges say is overruled by a clear case only.
-    if (best.likelihood > as_it_was.likelihood + min_margin && best.weakest_arm > min_arm) d = measure(fits);
-  } else if (small || r.rms > loose) {
-    d.refinement.pose = best.pose;
-    d.refinement.covariance = best.covariance;
+    const Fits::Fit& rival = fits.all.front();
+    const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, rival.blur});
+    if (as_it_was.valid && rival.likelihood > as_it_was.likelihood + min_margin && rival.weakest_arm > min_arm) {
+      d = measure(fits);
+      return;
+    }
+    if (small) return;
+    std::erase_if(fits.all, is_rival);
+    if (fits.all.empty()) return;
   }
+  if (small) {
+    const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, fits.all.front().blur});
+    if (!as_it_was.valid || likelier(as_it_was, fits.all.front())) return;
+  } else if (r.rms <= loose || !fits.settle(r.pose)) {
+    return;
+  }
+  d.refinement.pose = fits.all.front().pose;
+  d.refinement.covariance = fits.all.front().covariance;
 }
 
 }  // namespace onestroke

@@ -43,8 +43,8 @@ TEST(PhotometricFit, SeesThroughDefocusAsWideAsARing) {
     ASSERT_TRUE(f.valid) << i;
     EXPECT_LT(turn_between(from_eigen(f.pose), truth), 1.0) << i;
     const PhotometricFit sharp = fit(shoot(marker, truth), rod, truth, truth);
-    EXPECT_GT(f.blur, 1.5) << i;
-    EXPECT_LT(sharp.blur, 1.5) << i;
+    EXPECT_GT(f.blur.sigma, 1.5) << i;
+    EXPECT_LT(sharp.blur.sigma, 1.5) << i;
   }
 }
 
@@ -86,8 +86,8 @@ TEST(PhotometricFit, MeasuresARodOutOfFocusFromWhereItsEdgesLeftIt) {
     EXPECT_LT(turns.back(), 0.6) << i;
     EXPECT_LT(shift_between(from_eigen(f.pose), truth), 4e-3) << i;
     // The radius of a disc is twice its standard deviation along an axis.
-    EXPECT_GT(f.blur, 0.35 * radius) << i;
-    EXPECT_LT(f.blur, 0.65 * radius) << i;
+    EXPECT_GT(f.blur.sigma, 0.35 * radius) << i;
+    EXPECT_LT(f.blur.sigma, 0.65 * radius) << i;
   }
   std::nth_element(turns.begin(), turns.begin() + 4, turns.end());
   EXPECT_LT(turns[4], 0.4);
@@ -113,8 +113,9 @@ TEST(PhotometricFit, PrefersTheTruthToAnotherPose) {
   for (int i = 0; i < 6; ++i) {
     const Pose truth = random_view(random);
     const Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
-    const PhotometricFit here = fit(shot, rod, truth, truth, {.fit = false, .blur = 0.6});
-    const PhotometricFit beside = fit(shot, rod, truth, disturbed(truth, random, 6, 1), {.fit = false, .blur = 0.6});
+    const PhotometricFit here = fit(shot, rod, truth, truth, {.fit = false, .blur = CameraBlur{0.6}});
+    const PhotometricFit beside =
+        fit(shot, rod, truth, disturbed(truth, random, 6, 1), {.fit = false, .blur = CameraBlur{0.6}});
     ASSERT_TRUE(here.valid);
     EXPECT_LT(turn_between(from_eigen(here.pose), truth), 1e-6);
     EXPECT_GT(here.likelihood, (beside.valid ? beside.likelihood : 0) + 10) << i;
@@ -158,8 +159,8 @@ TEST(PhotometricFit, AnArmThatIsCoveredShowsNothing) {
   const Inks inks = inks_at(shot, rod, truth);
   const auto weakest = [&] {
     const Surroundings around(shot.view(), shot.intrinsics, rod, to_eigen(truth));
-    const PhotometricFit f =
-        fit_photometric(shot.view(), shot.intrinsics, rod, inks, around, to_eigen(truth), {.fit = false, .blur = 0.6});
+    const PhotometricFit f = fit_photometric(shot.view(), shot.intrinsics, rod, inks, around, to_eigen(truth),
+                                             {.fit = false, .blur = CameraBlur{0.6}});
     EXPECT_TRUE(f.valid);
     return f.weakest_arm;
   };
