@@ -1,5 +1,8 @@
 #include "tracking/blur_search.h"
 
+#include <array>
+#include <limits>
+
 namespace onestroke {
 namespace {
 

@@ -2,9 +2,7 @@
 
 #include "tracking/camera_blur.h"
 
-#include <array>
 #include <functional>
-#include <limits>
 #include <span>
 
 namespace onestroke {

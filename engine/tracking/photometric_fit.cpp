@@ -23,14 +23,15 @@ using Pixel4 = cv::Vec4f;
 // Blur of both pictures beyond the camera's own, from wide, which draws a far start in, to narrow. Working pixels.
 constexpr std::array<double, 12> extra_from_near{2.0, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
 constexpr std::array<double, 12> extra_from_afar{2.5, 2.0, 1.5, 1.0, 0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
-// Blurs of the camera that are tried, working pixels, and at which steps from afar.
+// Blurs of the camera that are tried, working pixels.
 constexpr std::array<double, 9> camera_blurs{0.35, 0.6, 0.9, 1.3, 1.9, 2.7, 3.8, 4.6, 5.5};
-constexpr std::array<std::size_t, 2> blur_chosen_at{1, 4};
-// Of the rod's nearest and farthest ends, and times what they are, as the fit from near draws in.
+// Of the rod's nearest and farthest ends, and times what they are, as the fit draws in.
 constexpr std::array<double, 12> end_blurs{-5.5, -3.8, -2.7, -1.9, -1.2, -0.6, 0.6, 1.2, 1.9, 2.7, 3.8, 5.5};
 constexpr std::array<double, 6> ends_about{0.5, 0.7, 0.85, 1.2, 1.4, 2}, ends_near_by{0.7, 0.84, 0.92, 1.09, 1.19, 1.4};
+// Times an even blur.
 constexpr std::array<double, 5> blurs_near_by{0.84, 0.92, 1, 1.09, 1.19};
-constexpr std::size_t ends_about_at = 3, ends_near_by_at = 6, blur_measured_at = 7;
+// The steps at which the blur is looked for; the last twice where there are fewer.
+constexpr std::array<std::size_t, 3> afar_at{1, 4, 4}, near_at{1, 4, 7}, by_depth_at{0, 3, 6};
 // Of what near fits search, working pixels.
 constexpr double widest_near = 9;
 // The share of the camera's own blur by which both pictures of a near fit are blurred once more, at the least.
@@ -77,7 +78,7 @@ class Fitter {
     return reweigh() && reweigh();
   }
 
-  bool fit(bool find_blur) {
+  bool fit(bool blur_unknown) {
     EigenPose& pose = result_.pose;
     Vector6d last = Vector6d::Zero();
     const auto& extra = by_depth_ ? extra_from_near : extra_from_afar;
@@ -86,7 +87,7 @@ class Fitter {
       blur_picture(std::max(extra[i], least_extra()));
       if (!cast()) return false;
       if (i == 0 && !first_weights()) return false;
-      if (find_blur) near_ ? find_blur_near(i) : find_blur_afar(i);
+      if (blur_unknown) find_blur(i);
       if (!reweigh()) return false;
       Vector6d step;
       if (!solve(step)) return false;
@@ -223,42 +224,37 @@ class Fitter {
     return near_ ? visible_or_covered(evidence_.against_plain()) : -cost_;
   }
 
-  void find_blur_afar(std::size_t step) {
-    if (std::find(blur_chosen_at.begin(), blur_chosen_at.end(), step) == blur_chosen_at.end()) return;
+  // Looks for the camera's blur at the steps that are meant for it; the weights stay as they are.
+  void find_blur(std::size_t step) {
+    const auto at = by_depth_ ? by_depth_at : near_ ? near_at : afar_at;
+    if (std::find(at.begin(), at.end(), step) == at.end()) return;
     const cv::Mat weight = weight_.clone();
-    const auto search = step == blur_chosen_at.front() ? best_even_blur : best_even_blur_near_by;
-    camera_blur_ = search(camera_blur_, camera_blurs, [&](const CameraBlur& blur) { return worth(weight, blur); });
+    const auto measure = [&](const CameraBlur& blur) { return worth(weight, blur); };
+    const CameraBlur now = camera_blur_;
+    camera_blur_ = by_depth_ ? blur_by_depth(step, now, measure)
+                   : near_   ? blur_near(step, now, measure)
+                             : blur_afar(step, now, measure);
     weight.copyTo(weight_);
   }
 
-  void find_blur_near(std::size_t step) {
-    if (by_depth_) return find_blur_by_depth(step);
-    const cv::Mat weight = weight_.clone();
-    const auto measure = [&](const CameraBlur& blur) { return worth(weight, blur); };
-    if (step == blur_chosen_at[0] || step == blur_chosen_at[1]) {
-      camera_blur_ = best_even_blur(camera_blur_, camera_blurs, measure);
-    } else if (step == blur_measured_at) {
-      std::array<double, 5> sigmas;
-      std::transform(blurs_near_by.begin(), blurs_near_by.end(), sigmas.begin(),
-                     [&](double times) { return times * camera_blur_.sigma; });
-      camera_blur_ = best_even_blur(camera_blur_, sigmas, measure);
-    }
-    weight.copyTo(weight_);
+  static CameraBlur blur_afar(std::size_t step, const CameraBlur& now, const BlurWorth& measure) {
+    return step == afar_at.front() ? best_even_blur(now, camera_blurs, measure)
+                                   : best_even_blur_near_by(now, camera_blurs, measure);
   }
 
-  void find_blur_by_depth(std::size_t step) {
-    const cv::Mat weight = weight_.clone();
-    const auto measure = [&](const CameraBlur& blur) { return worth(weight, blur); };
+  static CameraBlur blur_near(std::size_t step, const CameraBlur& now, const BlurWorth& measure) {
+    if (step != near_at.back()) return best_even_blur(now, camera_blurs, measure);
+    std::array<double, blurs_near_by.size()> sigmas;
+    std::transform(blurs_near_by.begin(), blurs_near_by.end(), sigmas.begin(),
+                   [&](double times) { return times * now.sigma; });
+    return best_even_blur(now, sigmas, measure);
+  }
+
+  CameraBlur blur_by_depth(std::size_t step, const CameraBlur& now, const BlurWorth& measure) const {
     const DepthRange range = depth_range();
-    if (step == 0) {
-      const CameraBlur even = best_even_blur(camera_blur_, camera_blurs, measure);
-      camera_blur_ = best_blur_by_depth(even, range, {end_blurs}, measure);
-    } else if (step == ends_about_at) {
-      camera_blur_ = best_blur_by_depth(camera_blur_, range, {ends_about, true}, measure);
-    } else if (step == ends_near_by_at) {
-      camera_blur_ = best_blur_by_depth(camera_blur_, range, {ends_near_by, true}, measure);
-    }
-    weight.copyTo(weight_);
+    if (step == by_depth_at[0])
+      return best_blur_by_depth(best_even_blur(now, camera_blurs, measure), range, {end_blurs}, measure);
+    return best_blur_by_depth(now, range, {step == by_depth_at[1] ? ends_about : ends_near_by, true}, measure);
   }
 
   DepthRange depth_range() const {
