@@ -313,7 +313,8 @@ void Detector::detect(const TimedView& view, const Levels& levels, const std::ve
   select(intrinsics, proven, detections);
   for (Detection& d : detections) {
     look.polish(d);
-    sharpener_.sharpen(view, rod(d.marker), d);
+    const auto sharpen = [&] { return sharpener_.sharpen(view, rod(d.marker), d); };
+    if (!sharpen() && look.settle(d)) sharpen();
   }
 }
 

@@ -22,23 +22,24 @@ constexpr double max_turn = 0.03, max_rolling_turn = 0.12;
 
 }  // namespace
 
-void Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d) {
+bool Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d) {
   const EigenPose before = d.refinement.pose;
-  if (!rod.has_roll() || pitch_in_pixels(view.intrinsics, rod, before) < min_pitch) return;
+  if (!rod.has_roll() || pitch_in_pixels(view.intrinsics, rod, before) < min_pitch) return false;
   Motion start;
   start.pose = before;
   const LineFit fit = fitter_.fit(view, rod, d.inks, start, MotionPrior{}, passes);
   const bool by_look = d.likelihood > 0;
   if (!fit.settled() || fit.rms > max_rms || fit.shown < (by_look ? min_shown_by_look : min_shown) * fit.expected)
-    return;
+    return false;
   const Matrix6d covariance = fit.pose_covariance();
   const double turn_sigma = std::sqrt(covariance.topLeftCorner<3, 3>().diagonal().maxCoeff());
   // Written so that what is not a number is refused.
-  if (!(turn_sigma <= (by_look ? max_turn_sigma_by_look : max_turn_sigma))) return;
-  if (angle_between(before, fit.motion.pose) > (view.clock.rolls() ? max_rolling_turn : max_turn)) return;
+  if (!(turn_sigma <= (by_look ? max_turn_sigma_by_look : max_turn_sigma))) return false;
+  if (angle_between(before, fit.motion.pose) > (view.clock.rolls() ? max_rolling_turn : max_turn)) return false;
   d.refinement.pose = fit.motion.pose;
   d.refinement.covariance = covariance;
   take_velocity(view, fit, d);
+  return true;
 }
 
 }  // namespace onestroke

@@ -10,7 +10,8 @@ namespace onestroke {
 /// one thread at a time.
 class Sharpener {
  public:
-  void sharpen(const TimedView& view, const RodModel& rod, Detection& detection);
+  /// False where it leaves the detection as it is.
+  bool sharpen(const TimedView& view, const RodModel& rod, Detection& detection);
 
  private:
   LineFitter fitter_;

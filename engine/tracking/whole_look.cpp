@@ -31,6 +31,10 @@ constexpr double roll_step = 0.04;
 constexpr std::size_t max_climbs = 24, max_beside = 3;
 constexpr int rivals_an_arm = 3;
 constexpr std::size_t max_around = 6;
+// Nats within which ways of holding the rod are contested, where the arm that shows least is no more than half covered
+// (a covered one costs four), and how many are.
+constexpr double worth_contesting = 12, half_covered = -2;
+constexpr std::size_t max_contested = 6;
 // Nats that are more than chance between two poses near one another.
 constexpr double clearly = 2;
 // Radians.
@@ -38,6 +42,11 @@ constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 // Cells shorter than this, pixels, edges that scatter by more, and where a smaller share of them is found: measured by
 // the whole look.
 constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
+
+bool turned_like_one_of(const std::vector<EigenPose>& poses, const EigenPose& pose) {
+  return std::any_of(poses.begin(), poses.end(),
+                     [&](const EigenPose& p) { return angle_between(p, pose) < same_turn; });
+}
 
 }  // namespace
 
@@ -67,15 +76,42 @@ struct WholeLook::Fits {
     likeliest_first(all);
   }
 
-  // A pose once more, now that the rod is sure to be there; that takes the place of the best fit. False where it finds
-  // nothing near by that is clearly likelier.
-  bool settle(const EigenPose& pose) {
-    const Inks inks = all.front().inks;
-    const PhotometricFit settled = fit(pose, inks, {.near = true});
-    if (!settled.valid || angle_between(settled.pose, pose) > same_turn) return false;
-    const PhotometricFit before = fit(pose, inks, {false, settled.blur, true});
-    if (before.valid && settled.likelihood < before.likelihood + clearly) return false;
-    static_cast<PhotometricFit&>(all.front()) = settled;
+  // A pose once more, now that the rod is sure to be there. None where nothing near by is clearly likelier.
+  std::optional<PhotometricFit> settled(const EigenPose& pose, const Inks& inks) const {
+    const PhotometricFit near = fit(pose, inks, {.near = true});
+    if (!near.valid || angle_between(near.pose, pose) > same_turn) return {};
+    const PhotometricFit before = fit(pose, inks, {false, near.blur, true});
+    if (before.valid && near.likelihood < before.likelihood + clearly) return {};
+    return near;
+  }
+
+  // The best fit once more. False where it stays.
+  bool settle() {
+    const auto near = settled(all.front().pose, all.front().inks);
+    if (near) static_cast<PhotometricFit&>(all.front()) = *near;
+    return near.has_value();
+  }
+
+  // Fits near the ways of holding the rod that are about as likely as the best. False where that one does not show.
+  bool contest() {
+    std::vector<Fit> ways = all;
+    ways.insert(ways.end(), measured.begin(), measured.end());
+    likeliest_first(ways);
+    const Fit& best = ways.front();
+    if (best.likelihood < min_likelihood || best.proof < min_proof || best.weakest_arm < half_covered) return false;
+    const double enough = best.likelihood - worth_contesting;
+    std::vector<EigenPose> tried;
+    std::vector<Fit> contested;
+    for (const Fit& f : ways) {
+      if (f.likelihood < enough || tried.size() == max_contested) break;
+      if (turned_like_one_of(tried, f.pose)) continue;
+      tried.push_back(f.pose);
+      const PhotometricFit near = fit(f.pose, f.inks, {.near = true});
+      if (near.valid) contested.push_back({near, f.inks});
+    }
+    if (contested.empty()) return false;
+    all = std::move(contested);
+    likeliest_first(all);
     return true;
   }
 
@@ -99,6 +135,7 @@ struct WholeLook::Fits {
   const ImageView& image;
   Surroundings around;
   std::vector<Fit> all;
+  std::vector<Fit> measured;  // Taken as they are; their covariance is not known.
 };
 
 const ImageView& WholeLook::level_for(const RodModel& rod, const EigenPose& pose) const {
@@ -132,9 +169,7 @@ void WholeLook::look_around(Fits& fits) const {
   std::size_t count = 0;
   for (const RollCandidate& c : around) {
     if (count == max_around) break;
-    if (std::any_of(tried.begin(), tried.end(),
-                    [&](const EigenPose& t) { return angle_between(t, c.pose) < same_turn; }))
-      continue;
+    if (turned_like_one_of(tried, c.pose)) continue;
     tried.push_back(c.pose);
     fits.add(c.pose, inks);
     ++count;
@@ -155,7 +190,10 @@ void WholeLook::look_beside(Fits& fits) const {
     }
   likeliest_first(beside);
   if (beside.size() > max_beside) beside.resize(max_beside);
-  for (const PhotometricFit& f : beside) fits.add(f.pose, inks);
+  for (const PhotometricFit& f : beside) {
+    fits.measured.push_back({f, inks});
+    fits.add(f.pose, inks);
+  }
 }
 
 // The other ways of holding the rod that look most like one.
@@ -205,7 +243,7 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   detection = measure(fits);
   const bool before = believed(fits, detection);
   if (pitch_in_pixels(intrinsics_, fits.rod, fits.all.front().pose) < small_pitch) return before;
-  if (!fits.settle(fits.all.front().pose)) return before;
+  if (before ? !fits.settle() : !fits.contest()) return before;
   detection = measure(fits);
   return before || believed(fits, detection);
 }
@@ -271,7 +309,7 @@ void WholeLook::settle_rivals(std::vector<Detection>& proven) const {
 void WholeLook::polish(Detection& d) const {
   const Refinement& r = d.refinement;
   const RodModel& rod = rods_[static_cast<std::size_t>(d.marker)];
-  const bool small = pitch_in_pixels(intrinsics_, rod, r.pose) < small_pitch;
+  const bool small = is_small(d);
   const bool doubtful = r.rms > loose || r.supported < few * r.expected;
   if (d.likelihood > 0 || (!small && !doubtful)) return;
   Fits fits(*this, d.marker, r.pose);
@@ -291,14 +329,25 @@ void WholeLook::polish(Detection& d) const {
     std::erase_if(fits.all, is_rival);
     if (fits.all.empty()) return;
   }
-  if (small) {
-    const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, fits.all.front().blur});
-    if (!as_it_was.valid || likelier(as_it_was, fits.all.front())) return;
-  } else if (r.rms <= loose || !fits.settle(r.pose)) {
-    return;
-  }
+  if (!small) return;
+  const PhotometricFit as_it_was = fits.fit(r.pose, d.inks, {false, fits.all.front().blur});
+  if (!as_it_was.valid || likelier(as_it_was, fits.all.front())) return;
   d.refinement.pose = fits.all.front().pose;
   d.refinement.covariance = fits.all.front().covariance;
+}
+
+bool WholeLook::settle(Detection& d) const {
+  Refinement& r = d.refinement;
+  if (d.likelihood > 0 || r.rms <= loose || is_small(d)) return false;
+  const auto settled = Fits(*this, d.marker, r.pose).settled(r.pose, d.inks);
+  if (!settled) return false;
+  r.pose = settled->pose;
+  r.covariance = settled->covariance;
+  return true;
+}
+
+bool WholeLook::is_small(const Detection& d) const {
+  return pitch_in_pixels(intrinsics_, rods_[static_cast<std::size_t>(d.marker)], d.refinement.pose) < small_pitch;
 }
 
 }  // namespace onestroke

@@ -28,12 +28,16 @@ class WholeLook {
   /// found or loosely, the other tilt may be the right one: fits these again.
   void polish(Detection& detection) const;
 
+  /// A detection whose ring edges scatter, once more by the whole look. False where that leaves it as it is.
+  bool settle(Detection& detection) const;
+
  private:
   struct Fits;
   const ImageView& level_for(const RodModel& rod, const EigenPose& pose) const;
   static void fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& candidates, std::size_t max_fits);
   static bool believed(const Fits& fits, const Detection& detection);
   static std::vector<PoseCandidate> climb_all(const Fits& fits, const std::vector<PoseCandidate>& candidates);
+  bool is_small(const Detection& detection) const;
   void look_around(Fits& fits) const;
   void look_beside(Fits& fits) const;
   void add_rivals(Fits& fits, const Detection& detection) const;
