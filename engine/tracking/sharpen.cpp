@@ -17,8 +17,9 @@ constexpr double max_rms = 0.42, max_turn_sigma = 0.007;
 constexpr double min_shown = 0.3;
 // The same of a pose that the whole look proved, as ring edges alone did not.
 constexpr double max_turn_sigma_by_look = 0.0035, min_shown_by_look = 0.6;
-// How far a pose may be put right, radians; where the shutter rolls, what that does comes on top.
-constexpr double max_turn = 0.03, max_rolling_turn = 0.12;
+// How far a pose may be put right, radians; where the shutter rolls, what that does comes on top: a turn of the marker
+// in a second, read out over 30 ms.
+constexpr double max_turn = 0.03, max_rolling_turn = 0.19;
 
 }  // namespace
 
@@ -27,7 +28,10 @@ bool Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d
   if (!rod.has_roll() || pitch_in_pixels(view.intrinsics, rod, before) < min_pitch) return false;
   Motion start;
   start.pose = before;
-  const LineFit fit = fitter_.fit(view, rod, d.inks, start, MotionPrior{}, passes);
+  LineFit fit = fitter_.fit(view, rod, d.inks, start, MotionPrior{}, passes);
+  // So far off, the first passes do not find every edge.
+  if (view.clock.rolls() && fit.valid && !fit.settled())
+    fit = fitter_.fit(view, rod, d.inks, fit.motion, MotionPrior{}, passes);
   const bool by_look = d.likelihood > 0;
   if (!fit.settled() || fit.rms > max_rms || fit.shown < (by_look ? min_shown_by_look : min_shown) * fit.expected)
     return false;
