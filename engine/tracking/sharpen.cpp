@@ -29,8 +29,8 @@ bool Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d
   Motion start;
   start.pose = before;
   LineFit fit = fitter_.fit(view, rod, d.inks, start, MotionPrior{}, passes);
-  // So far off, the first passes do not find every edge.
-  if (view.clock.rolls() && fit.valid && !fit.settled())
+  // From so far off the first passes neither find every edge nor end where they would stay.
+  if (view.clock.rolls() && fit.valid && (!fit.settled() || angle_between(before, fit.motion.pose) > max_turn))
     fit = fitter_.fit(view, rod, d.inks, fit.motion, MotionPrior{}, passes);
   const bool by_look = d.likelihood > 0;
   if (!fit.settled() || fit.rms > max_rms || fit.shown < (by_look ? min_shown_by_look : min_shown) * fit.expected)
