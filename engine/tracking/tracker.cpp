@@ -199,8 +199,7 @@ class Tracker::Impl {
     last_sharpened_ = static_cast<std::size_t>(d.marker);
     since_sharpened_ = 0;
     sharp = d;
-    sharpener_.sharpen(view, detector_.rod(d.marker), sharp);
-    return sharp.refinement.covariance != d.refinement.covariance;
+    return sharpener_.sharpen(view, detector_.rod(d.marker), sharp);
   }
 
   // For all when nothing is known, for a marker in hand that was missed, and now and then for newcomers.

@@ -242,7 +242,7 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   }
   detection = measure(fits);
   const bool before = believed(fits, detection);
-  if (pitch_in_pixels(intrinsics_, fits.rod, fits.all.front().pose) < small_pitch) return before;
+  if (is_small(fits.rod, fits.all.front().pose)) return before;
   if (before ? !fits.settle() : !fits.contest()) return before;
   detection = measure(fits);
   return before || believed(fits, detection);
@@ -309,7 +309,7 @@ void WholeLook::settle_rivals(std::vector<Detection>& proven) const {
 void WholeLook::polish(Detection& d) const {
   const Refinement& r = d.refinement;
   const RodModel& rod = rods_[static_cast<std::size_t>(d.marker)];
-  const bool small = is_small(d);
+  const bool small = is_small(rod, r.pose);
   const bool doubtful = r.rms > loose || r.supported < few * r.expected;
   if (d.likelihood > 0 || (!small && !doubtful)) return;
   Fits fits(*this, d.marker, r.pose);
@@ -338,7 +338,7 @@ void WholeLook::polish(Detection& d) const {
 
 bool WholeLook::settle(Detection& d) const {
   Refinement& r = d.refinement;
-  if (d.likelihood > 0 || r.rms <= loose || is_small(d)) return false;
+  if (d.likelihood > 0 || r.rms <= loose || is_small(rods_[static_cast<std::size_t>(d.marker)], r.pose)) return false;
   const auto settled = Fits(*this, d.marker, r.pose).settled(r.pose, d.inks);
   if (!settled) return false;
   r.pose = settled->pose;
@@ -346,8 +346,8 @@ bool WholeLook::settle(Detection& d) const {
   return true;
 }
 
-bool WholeLook::is_small(const Detection& d) const {
-  return pitch_in_pixels(intrinsics_, rods_[static_cast<std::size_t>(d.marker)], d.refinement.pose) < small_pitch;
+bool WholeLook::is_small(const RodModel& rod, const EigenPose& pose) const {
+  return pitch_in_pixels(intrinsics_, rod, pose) < small_pitch;
 }
 
 }  // namespace onestroke

@@ -17,8 +17,9 @@ class WholeLook {
       : levels_(levels), intrinsics_(intrinsics), rods_(rods) {}
 
   /// Fits the likeliest of a marker's candidates (one at least, best first), `max_fits` of them, then looks beside the
-  /// best. False where it is not likely enough, or another way of holding the rod is nearly as likely; the detection
-  /// then tells what was found nevertheless, its likelihood being 0 where that is nothing.
+  /// best; what is likely but not sure is fitted again in full detail with its rivals. False where it is not likely
+  /// enough, or another way of holding the rod is nearly as likely; the detection then tells what was found
+  /// nevertheless, its likelihood being 0 where that is nothing.
   bool prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits, Detection& detection) const;
 
   /// Ring edges may prove a marker in two places, as the two tilts of a plane seen from afar: keeps the likelier.
@@ -37,7 +38,7 @@ class WholeLook {
   static void fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& candidates, std::size_t max_fits);
   static bool believed(const Fits& fits, const Detection& detection);
   static std::vector<PoseCandidate> climb_all(const Fits& fits, const std::vector<PoseCandidate>& candidates);
-  bool is_small(const Detection& detection) const;
+  bool is_small(const RodModel& rod, const EigenPose& pose) const;
   void look_around(Fits& fits) const;
   void look_beside(Fits& fits) const;
   void add_rivals(Fits& fits, const Detection& detection) const;
