@@ -1,5 +1,6 @@
 #include "tracking/appearance.h"
 
+#include "tracking/ink_matcher.h"
 #include "tracking/placed_rod.h"
 #include "tracking/sampling.h"
 
@@ -37,6 +38,7 @@ Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const Ro
   Appearance a;
   std::array<int, max_cells_per_marker> on_arm{}, arm_in_sight{};
   const PlacedRod placed(rod, pose);
+  const InkMatcher matcher(inks);
   const Vec3d eye = -pose.R.transpose() * pose.t;
   for (int c = 0; c < rod.cell_count(); ++c) {
     const PlacedSection& here = placed.middle(c);
@@ -51,7 +53,7 @@ Appearance assess(const ImageView& image, const Intrinsics& intrinsics, const Ro
       if (!whole && rod.hides_itself(rod.middle(c), pose.R.transpose() * (x - pose.t), eye)) continue;
       if (sines[i] == 0) front = pixel;
       ++seen;
-      switch (inks.match(to_color(sample_lanes(image, pixel.x(), pixel.y())), rod.ink(c))) {
+      switch (matcher.match(sample_lanes(image, pixel.x(), pixel.y()), rod.ink(c))) {
         case Inks::Match::agrees:
           ++agrees;
           break;

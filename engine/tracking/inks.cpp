@@ -1,5 +1,7 @@
 #include "tracking/inks.h"
 
+#include "tracking/ink_matcher.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +17,7 @@ float Inks::variance(float noise) const {
 
 Inks::Match Inks::match(const Color& color, int expected) const {
   const float sum = color.sum();
-  // Below this sum the chromaticity is noise.
-  if (sum < 12) return Match::unknown;
+  if (sum < min_sum) return Match::unknown;
   const Color c = chromaticity(color);
   int nearest = -1;
   float best = 1e9F;
@@ -30,11 +31,17 @@ Inks::Match Inks::match(const Color& color, int expected) const {
     nearest = i;
   }
   if (nearest < 0) return Match::unknown;
-  // Blur and veiling light pull a cell towards its neighbours and towards grey, hence the wider reach for the expected
-  // ink.
-  const float reach = (nearest == expected ? 0.6F : 0.4F) * separation;
+  const float reach = (nearest == expected ? expected_reach : other_reach) * separation;
   if (best >= reach * reach) return Match::unknown;
   return nearest == expected ? Match::agrees : Match::contradicts;
+}
+
+InkMatcher::InkMatcher(const Inks& inks)
+    : agreeing_(Inks::expected_reach * inks.separation), contradicting_(Inks::other_reach * inks.separation) {
+  agreeing_ *= agreeing_;
+  contradicting_ *= contradicting_;
+  for (std::size_t i = 0; i < chroma_.size(); ++i)
+    chroma_[i] = inks.known[i] ? to_lanes(inks.chroma[i]) : cv::v_setall_f32(far_off);
 }
 
 void InkSamples::add(int ink, const Color& color) {

@@ -21,6 +21,13 @@ struct Inks {
   /// The standard deviation of the same without noise.
   float spread() const;
 
+  /// Below this sum of the levels the chromaticity is noise.
+  static constexpr float min_sum = 12;
+  /// Of the separation: how far from an ink's chromaticity a colour still is that ink, where it is expected and where
+  /// not. Blur and veiling light pull a cell towards its neighbours and towards grey, hence the wider reach for the
+  /// expected ink.
+  static constexpr float expected_reach = 0.6F, other_reach = 0.4F;
+
   enum class Match { agrees, contradicts, unknown };
   /// Whether a colour is the expected ink, another ink, or none of them (skin, a highlight, background).
   Match match(const Color& color, int expected) const;

@@ -61,6 +61,7 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
     if (&options == &passes.back()) fit.covariance.topLeftCorner<N, N>() = solver.covariance();
     fit.support = solver.support();
     fit.supported = solver.ring_weight();
+    fit.moved = solver.moved();
     fit.rms = solver.rms();
     return fit.motion.pose.t.z() > 10 && fit.covariance.allFinite();
   };

@@ -30,6 +30,7 @@ struct LineFit {
   std::array<float, max_cells> support{};
   int edges = 0;
   double rms = 0;      ///< Of the ring edges' residuals, weighted, pixels.
+  double moved = 0;    ///< Root mean square of what the last pass moved the lines by, pixels.
   bool valid = false;  ///< The system was solvable.
 
   /// Most of the edges that show the right inks are where the motion has them. Where not, it fits a part of the rod

@@ -8,13 +8,19 @@ namespace onestroke {
 namespace {
 
 // As far as a hand may have brought the marker off its prediction; then to the edges. What is nearer needs no more than
-// the later ones. Where cells are long the first ones look along the middle of the rod only.
-constexpr std::array<LineOptions, 3> long_passes{
-    {{10, 1000, 1, 1000, 2, 4, 2}, {5, 1000, 1, 1000, 2, 4, 2}, {4, 8, 3, 16, 1, 2, 2}}};
+// the later ones, and what is not far off one wider look before the last. Where cells are long the first ones look
+// along the middle of the rod only.
+constexpr LineOptions far_along{10, 1000, 1, 1000, 2, 4, 2}, along{8, 1000, 1, 1000, 2, 4, 2},
+    near_along{5, 1000, 1, 1000, 2, 4, 2}, across{4, 8, 3, 16, 1, 2, 2};
+constexpr std::array<LineOptions, 3> long_passes{far_along, near_along, across};
+constexpr std::array<LineOptions, 2> loose_passes{along, across};
 constexpr LineOptions to_edges{4, 8, 3, 16, 1, 2};
 constexpr std::array<LineOptions, 4> short_passes{{{10, 1000, 1, 1000, 2, 2}, to_edges, to_edges, to_edges}};
 // Pixels.
 constexpr double long_cell = 6;
+// A last pass that moves the lines by more than this, pixels, is made again.
+constexpr double far_for_last = 0.4;
+constexpr int max_more = 2;
 constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
 constexpr int max_settlings = 3;
 constexpr double settled_share = 0.68;
@@ -87,21 +93,26 @@ bool believable(const RodModel& rod, const Refinement& r, const Appearance& a) {
 bool LineProof::prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected,
                       const MotionPrior& prior, const Inks& inks, Detection& detection, Nearness nearness) {
   std::span<const LineOptions> passes = short_passes;
-  if (shows_long_cells(view.intrinsics, rod, expected.pose)) passes = long_passes;
-  if (nearness != Nearness::roughly) passes = passes.last(nearness == Nearness::nearly ? 2 : 1);
+  if (shows_long_cells(view.intrinsics, rod, expected.pose)) {
+    passes = long_passes;
+    if (nearness == Nearness::loosely) passes = loose_passes;
+  }
+  if (nearness == Nearness::nearly) passes = passes.last(2);
+  if (nearness == Nearness::exactly) passes = passes.last(1);
   LineFit fit = fitter_.fit(view, rod, inks, expected, prior, passes);
+  for (int again = 0; fit.valid && fit.moved > far_for_last && again < max_more; ++again)
+    fit = fitter_.fit(view, rod, inks, fit.motion, prior, passes.last(1));
   Detection d{marker, {}, {}, inks};
   for (int again = 0; fit.valid; ++again) {
     d.refinement = refinement_of(fit);
     d.appearance = assess(view.image, view.intrinsics, rod, inks, fit.motion.pose);
-    if (settled(d)) break;
-    if (again == max_settlings) return false;
+    if (settled(d) || again == max_settlings) break;
     fit = fitter_.fit(view, rod, inks, fit.motion, prior, settling_passes);
   }
-  if (!believable(rod, d.refinement, d.appearance)) return false;
-  take_velocity(view, fit, d);
+  const bool believed = settled(d) && believable(rod, d.refinement, d.appearance);
+  if (believed) take_velocity(view, fit, d);
   detection = std::move(d);
-  return true;
+  return believed;
 }
 
 }  // namespace onestroke

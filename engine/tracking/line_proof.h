@@ -12,15 +12,16 @@ inline constexpr int min_agreeing = 9;
 /// where they should be.
 bool believable(const RodModel& rod, const Refinement& refinement, const Appearance& appearance);
 
-/// How near to what is expected a marker is looked for: within pixels of a hand's motion, within one or two, or as good
-/// as there.
-enum class Nearness { roughly, nearly, exactly };
+/// How near to what is expected a marker is looked for: within ten pixels, half a dozen, one or two, or as good as
+/// there.
+enum class Nearness { roughly, loosely, nearly, exactly };
 
 /// Finds a marker near where it is expected by a few lines along its rod, at a small part of what a search costs. Used
 /// by one thread at a time.
 class LineProof {
  public:
-  /// False where its ring edges do not show there. `marker` is the rod's place in the catalogue.
+  /// False where its ring edges do not show there; the detection then tells what they led to, its refinement not valid
+  /// where that is nothing. `marker` is the rod's place in the catalogue.
   bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const MotionPrior& prior,
              const Inks& inks, Detection& detection, Nearness nearness = Nearness::roughly);
 

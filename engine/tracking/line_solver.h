@@ -71,6 +71,15 @@ class LineSolver {
   double ring_weight() const { return ring_weight_; }
   /// Sums of the lines' weights, by the cell after the edge.
   const std::array<float, max_cells>& support() const { return support_; }
+  /// Root mean square of what the solution moves the lines by, pixels.
+  double moved() const {
+    double sum = 0;
+    for (const LineMeasurement& m : set_.lines) {
+      const double by = m.by_pose.dot(delta_.template head<6>());
+      sum += by * by;
+    }
+    return std::sqrt(sum / std::max<double>(1, static_cast<double>(set_.lines.size())));
+  }
   double rms() const { return std::sqrt(ring_square_ / std::max(ring_weight_, 1e-9)); }
   Matrix covariance() const {
     const Matrix information = hessian_.template selfadjointView<Eigen::Lower>();

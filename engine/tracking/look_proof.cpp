@@ -4,6 +4,7 @@
 #include "tracking/roll_search.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 namespace onestroke {
@@ -12,6 +13,9 @@ namespace {
 // Nats: of poses from cold, less what a prediction is worth; of the arm that shows least, which more than that makes
 // sure of the roll; and how much likelier another roll may be.
 constexpr double min_likelihood = 45, min_proof = 45, min_arm = 1, sure_arm = 10, min_margin = 6;
+// What is not as likely is not there, however it is looked at.
+constexpr double hopeful_likelihood = 25;
+constexpr std::array<double, 4> small_tilts{0.01, -0.01, 0.02, -0.02};  // Radians.
 // Of the cells of an arm in sight that agree.
 constexpr double min_share = 0.25;
 // How far a prediction may be off: radians, share of the distance.
@@ -45,6 +49,29 @@ void expect_roll(const RodModel& rod, int cell, const EigenPose& expected, Refin
   r.covariance += sigma * sigma * roll * roll.transpose();
 }
 
+bool proven(const PhotometricFit& fit) {
+  return fit.valid && fit.likelihood >= min_likelihood && fit.proof >= min_proof;
+}
+
+// From a pose or, where that leads to what is likely but not proven, from one tilted a little: an arm that points at
+// the camera is a few pixels long, and the fit may stop with its cells one beside the other.
+PhotometricFit fit_from(const Levels& levels, const Intrinsics& intrinsics, const RodModel& rod, const Inks& inks,
+                        const Surroundings& around, const EigenPose& start) {
+  const auto fit = [&](const EigenPose& from) {
+    return fit_photometric(levels.sharp, intrinsics, rod, inks, around, from);
+  };
+  const PhotometricFit best = fit(start);
+  if (proven(best) || !best.valid || best.likelihood < hopeful_likelihood) return best;
+  const Vec3d middle = start * rod.centre();
+  for (const double angle : small_tilts)
+    for (const Vec3d& axis : {Vec3d(Vec3d::UnitX()), Vec3d(Vec3d::UnitY())}) {
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+      const PhotometricFit tilted = fit({turn * start.R, middle + turn * (start.t - middle)});
+      if (proven(tilted)) return tilted;
+    }
+  return best;
+}
+
 // No other roll about the arm looks better: the other arm does not stand out elsewhere.
 bool hidden(const LikelihoodMeter& meter, const EigenPose& pose, int cell) {
   const auto rolls = search_roll(meter, pose, cell, 1);
@@ -66,8 +93,8 @@ bool prove_by_look(const Levels& levels, const Intrinsics& intrinsics, int marke
                    const EigenPose& expected, const Inks& inks, Detection& detection) {
   const ImageView& image = levels.sharp;
   const Surroundings around(image, intrinsics, rod, expected);
-  const PhotometricFit fit = fit_photometric(image, intrinsics, rod, inks, around, expected);
-  if (!fit.valid || fit.likelihood < min_likelihood || fit.proof < min_proof) return false;
+  const PhotometricFit fit = fit_from(levels, intrinsics, rod, inks, around, expected);
+  if (!proven(fit)) return false;
   Detection d{marker, {}, assess(image, intrinsics, rod, inks, fit.pose), inks};
   d.refinement.pose = fit.pose;
   d.refinement.covariance = fit.covariance;

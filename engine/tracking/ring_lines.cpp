@@ -1,6 +1,7 @@
 #include "tracking/ring_lines.h"
 
 #include "tracking/edge_step.h"
+#include "tracking/ink_matcher.h"
 #include "tracking/placed_rod.h"
 #include "tracking/sampling.h"
 
@@ -40,18 +41,48 @@ constexpr float min_outline_contrast = 40;
 ColorLanes linear(const ColorLanes& coded) {
   return coded * coded;
 }
-Color linear(const Color& coded) {
-  return coded * coded;
-}
 
 // Colour differences as they tell where an edge is: cameras that compress keep the brightness at every pixel and the
-// colour at every other one. In terms of Y, Cb, Cr (BT.601) brightness counts three times.
-Color weighted(const Color& d) {
+// colour at every other one. In terms of Y, Cb, Cr (BT.601) brightness counts three times. By column; the fourth lane
+// counts nothing.
+constexpr std::array<std::array<float, 4>, 3> weights_by_channel() {
   constexpr float brightness = 3;
-  const Color y_of(0.299F, 0.587F, 0.114F);
-  const float y = (y_of * d).sum(), cb = 0.564F * 0.564F * (d[2] - y), cr = 0.713F * 0.713F * (d[0] - y);
-  return Color(cr, 0, cb) + (brightness * y - cr - cb) * y_of;
+  constexpr std::array y_of{0.299F, 0.587F, 0.114F};
+  std::array<std::array<float, 4>, 3> columns{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float y = y_of[i], blue = i == 2 ? 1 : 0, red = i == 0 ? 1 : 0;
+    const float cb = 0.564F * 0.564F * (blue - y), cr = 0.713F * 0.713F * (red - y);
+    for (std::size_t k = 0; k < 3; ++k) columns[i][k] = (brightness * y - cr - cb) * y_of[k];
+    columns[i][0] += cr;
+    columns[i][2] += cb;
+  }
+  return columns;
 }
+
+ColorLanes weighted(const ColorLanes& d) {
+  static constexpr auto columns = weights_by_channel();
+  return cv::v_load(columns[0].data()) * cv::v_broadcast_element<0>(d) +
+         cv::v_load(columns[1].data()) * cv::v_broadcast_element<1>(d) +
+         cv::v_load(columns[2].data()) * cv::v_broadcast_element<2>(d);
+}
+
+float norm(const ColorLanes& d) {
+  const ColorLanes rgb = without_rest(d);
+  return std::sqrt(cv::v_reduce_sum(rgb * rgb));
+}
+
+// A place in the picture, or a way from one to another. Eigen would load as a pair what was stored one by one, which
+// waits for memory.
+struct Spot {
+  double u = 0, v = 0;
+
+  friend Spot operator+(const Spot& a, const Spot& b) { return {a.u + b.u, a.v + b.v}; }
+  friend Spot operator-(const Spot& a, const Spot& b) { return {a.u - b.u, a.v - b.v}; }
+  friend Spot operator*(double k, const Spot& a) { return {k * a.u, k * a.v}; }
+  double dot(const Spot& b) const { return u * b.u + v * b.v; }
+  double norm() const { return std::sqrt(dot(*this)); }
+  Spot across() const { return {-v, u}; }
+};
 
 class LineMeter {
  public:
@@ -75,20 +106,48 @@ class LineMeter {
   }
 
  private:
-  bool pixel_of(const Vec3d& point, Vec2d& pixel) const {
-    if (!plain_) return project(k_, clock_, motion_, point, pixel) && image_.contains(pixel.x(), pixel.y());
+  bool contains(const Spot& p) const { return image_.contains(p.u, p.v); }
+
+  bool pixel_of(const Vec3d& point, Spot& pixel) const {
+    if (!plain_) return pixel_of_any(point, pixel);
     if (point.z() < 1) return false;
     const double iz = 1 / point.z();
     pixel = {k_.fx * iz * point.x() + k_.cx, k_.fy * iz * point.y() + k_.cy};
-    return image_.contains(pixel.x(), pixel.y());
+    return contains(pixel);
   }
 
-  // The derivative of the pixel by the point that it shows.
-  bool slope_of(const Vec3d& point, const Vec2d& pixel, Eigen::Matrix<double, 2, 3>& slope) const {
-    Vec2d same;
-    if (!plain_) return project(k_, point, same, slope);
+  [[gnu::noinline]] bool pixel_of_any(const Vec3d& point, Spot& pixel) const {
+    Vec2d p;
+    if (!project(k_, clock_, motion_, point, p)) return false;
+    pixel = {p.x(), p.y()};
+    return contains(pixel);
+  }
+
+  // How the pixel moves with the point that it shows: its u and its v.
+  struct Slope {
+    double u[3], v[3];
+  };
+
+  bool slope_of(const Vec3d& point, const Spot& pixel, Slope& slope) const {
+    if (!plain_) return slope_of_any(point, slope);
     const double iz = 1 / point.z();
-    slope << k_.fx * iz, 0, (k_.cx - pixel.x()) * iz, 0, k_.fy * iz, (k_.cy - pixel.y()) * iz;
+    slope.u[0] = k_.fx * iz;
+    slope.u[1] = 0;
+    slope.u[2] = (k_.cx - pixel.u) * iz;
+    slope.v[0] = 0;
+    slope.v[1] = k_.fy * iz;
+    slope.v[2] = (k_.cy - pixel.v) * iz;
+    return true;
+  }
+
+  [[gnu::noinline]] bool slope_of_any(const Vec3d& point, Slope& slope) const {
+    Vec2d same;
+    Eigen::Matrix<double, 2, 3> both;
+    if (!project(k_, point, same, both)) return false;
+    for (int i = 0; i < 3; ++i) {
+      slope.u[i] = both(0, i);
+      slope.v[i] = both(1, i);
+    }
     return true;
   }
 
@@ -122,32 +181,34 @@ class LineMeter {
       return;
     const Vec3d a = placed_.middle_of(e - 1, placed_.middle(e - 1).out(sine, cosine));
     const Vec3d b = placed_.middle_of(e, placed_.middle(e).out(sine, cosine));
-    Vec2d px, pa, pb;
+    Spot px, pa, pb;
     if (!pixel_of(x, px) || !pixel_of(a, pa) || !pixel_of(b, pb)) return;
     const double back = (pa - px).norm(), on = (pb - px).norm(), cell = std::min(back, on);
     if (cell < min_reach || hidden(section, x)) return;
     ++set_.expected;
     ++set_.expected_at[static_cast<std::size_t>(e)];
-    const Color ca = plateau(px, pa), cb = plateau(px, pb);
+    const ColorLanes ca = plateau(px, pa), cb = plateau(px, pb);
     if (inks_.match(ca, rod_.ink(e - 1)) != Inks::Match::agrees || inks_.match(cb, rod_.ink(e)) != Inks::Match::agrees)
       return;
-    const float contrast = (cb - ca).matrix().norm();
+    const float contrast = norm(cb - ca);
     if (contrast < min_contrast) return;
     ++set_.shown;
     const double reach = std::min(options_.reach, 0.9 * cell);
-    const Vec2d to_a = (pa - px) * (1 / back), to_b = (pb - px) * (1 / on);
-    if (!image_.contains(px.x() + reach * to_a.x(), px.y() + reach * to_a.y())) return;
-    if (!image_.contains(px.x() + reach * to_b.x(), px.y() + reach * to_b.y())) return;
-    const Color la = linear(ca);
+    const Spot to_a = 1 / back * (pa - px), to_b = 1 / on * (pb - px);
+    if (!contains(px + reach * to_a) || !contains(px + reach * to_b)) return;
+    Vec3d rim_step = here.tangent.cross(out);
+    if (!here.square) rim_step -= rim_step.dot(here.cut) / here.along * here.tangent;
+    LineMeasurement m;
+    double across = 0;
+    // The two lead away from each other, but for the bend.
+    if (!tell_slope(x, px, rim_step, 0.5 * (to_b - to_a), m, across)) return;
+    const double noise = noise_sigma / static_cast<double>(contrast);
+    m.sigma = scatter * std::sqrt(best_sigma * best_sigma + noise * noise);
+    const ColorLanes la = linear(ca);
     const double along = step_offset(px, to_a, to_b, reach, la, linear(cb) - la);
     if (std::abs(along) > reach) return;
-    const Vec3d turn = here.tangent.cross(out) * rod_.radius();
-    const Vec3d rim_step = here.square ? turn : Vec3d(turn - (turn.dot(here.cut) / here.along) * here.tangent);
-    const double noise = noise_sigma / static_cast<double>(contrast);
-    // The two lead away from each other, but for the bend.
-    const Vec2d direction = 0.5 * (to_b - to_a);
-    add(x, px, rim_step, direction, along, scatter * std::sqrt(best_sigma * best_sigma + noise * noise), e,
-        growth_of(rod_.ink(e - 1), rod_.ink(e)));
+    m.cell = e;
+    add(m, across, along, growth_of(rod_.ink(e - 1), rod_.ink(e)));
   }
 
   // Which of two inks grows at the cost of the other: the pairs RG, GB, BR count along the rod, the others against it.
@@ -156,63 +217,82 @@ class LineMeter {
   }
 
   // The colour of a cell on a line, its middle at m, away from the edge at x.
-  Color plateau(const Vec2d& x, const Vec2d& m) const {
-    const Vec2d step = 0.2 * (m - x);
+  ColorLanes plateau(const Spot& x, const Spot& m) const {
+    const Spot step = 0.2 * (m - x);
     const ColorLanes middle = at(m);
-    if (!image_.contains(m.x() + step.x(), m.y() + step.y())) return to_color(middle);
-    return to_color((at(m - step) + middle + at(m + step)) * cv::v_setall_f32(1.0F / 3));
+    if (!contains(m + step)) return middle;
+    return (at(m - step) + middle + at(m + step)) * cv::v_setall_f32(1.0F / 3);
   }
 
-  ColorLanes at(const Vec2d& p) const { return sample_lanes(image_, p.x(), p.y()); }
+  ColorLanes at(const Spot& p) const { return sample_lanes(image_, p.u, p.v); }
 
   // How far along the line past px the colour, in linear light, steps by a difference from what it is at a; beyond the
   // reach where it does not.
-  double step_offset(const Vec2d& px, const Vec2d& to_a, const Vec2d& to_b, double reach, const Color& at_a,
-                     const Color& difference) const {
+  double step_offset(const Spot& px, const Spot& to_a, const Spot& to_b, double reach, const ColorLanes& at_a,
+                     const ColorLanes& difference) const {
     static const EdgeStep step;
     constexpr std::size_t half = EdgeStep::samples / 2;
-    const Color heavy = weighted(difference), d = heavy / (heavy * difference).sum();
-    // The colours weighted as a whole, as what is wanted of each depends on it by a line.
-    ColorLanes sum = cv::v_setzero_f32(), gained = sum;
-    const auto add = [&](std::size_t i, const ColorLanes& light) {
-      sum += cv::v_setall_f32(step.weight[i]) * light;
-      gained += cv::v_setall_f32(step.gain[i]) * light;
-    };
-    const Vec2d step_a = EdgeStep::spacing * reach * to_a, step_b = EdgeStep::spacing * reach * to_b;
-    const auto on_a = PicturePoint::step(step_a.x(), step_a.y()), on_b = PicturePoint::step(step_b.x(), step_b.y());
-    const auto middle = PicturePoint::at(px.x(), px.y());
-    add(half, linear(sample_lanes(image_, middle)));
+    const double spacing = EdgeStep::spacing * reach;
+    const auto on_a = PicturePoint::step(spacing * to_a.u, spacing * to_a.v);
+    const auto on_b = PicturePoint::step(spacing * to_b.u, spacing * to_b.v);
+    const auto middle = PicturePoint::at(px.u, px.v);
     PicturePoint back = middle, on = middle;
-    ColorLanes first = sum, last = sum;
+    // The colours weighted as a whole, as what is wanted of each depends on it by a line; the weights are alike on both
+    // sides, and the gains but for their sign.
+    ColorLanes sum = cv::v_setall_f32(step.weight[half]) * linear(sample_lanes(image_, middle));
+    ColorLanes gained = cv::v_setzero_f32(), rise = gained;
     for (std::size_t i = 1; i <= half; ++i) {
-      first = linear(sample_lanes(image_, back += on_a));
-      add(half - i, first);
-      last = linear(sample_lanes(image_, on += on_b));
-      add(half + i, last);
+      const ColorLanes first = linear(sample_lanes(image_, back += on_a));
+      const ColorLanes last = linear(sample_lanes(image_, on += on_b));
+      rise = last - first;
+      sum += cv::v_setall_f32(step.weight[half + i]) * (last + first);
+      gained += cv::v_setall_f32(step.gain[half + i]) * rise;
     }
+    const ColorLanes heavy = weighted(difference), from_a = sum - cv::v_setall_f32(step.weights) * at_a;
+    float all[4];
+    cv::v_store(all, cv::v_reduce_sum4(heavy * difference, heavy * rise, heavy * from_a, heavy * gained));
+    const auto [whole, risen, found, gain] = all;
     // Blur wider than the reach moves an edge as its neighbours will.
-    if ((to_color(last - first) * d).sum() < min_rise) return 2 * reach;
-    const float found = ((to_color(sum) - step.weights * at_a) * d).sum() - step.level;
-    return static_cast<double>(EdgeStep::offset(found, (to_color(gained) * d).sum())) * reach;
+    if (risen < min_rise * whole) return 2 * reach;
+    const float one = 1 / whole;
+    return static_cast<double>(EdgeStep::offset(found * one - step.level, gain * one)) * reach;
   }
 
-  // An edge whose direction at a point is that of `tangent`, both in camera axes, was found `along` a direction.
-  void add(const Vec3d& x, const Vec2d& px, const Vec3d& tangent, const Vec2d& direction, double along, double sigma,
-           int cell, std::pair<int, double> growth) {
-    Eigen::Matrix<double, 2, 3> by_point;
-    if (!slope_of(x, px, by_point)) return;
-    const Vec2d edge = by_point * tangent;
+  // How an edge that runs along `tangent` through a point, both in camera axes, moves with the pose, and how far across
+  // it a direction in the picture leads. False where that is hardly at all.
+  bool tell_slope(const Vec3d& x, const Spot& px, const Vec3d& tangent, const Spot& direction, LineMeasurement& m,
+                  double& across) const {
+    Slope slope;
+    if (!slope_of(x, px, slope)) return false;
+    const auto along = [&](const double(&way)[3]) {
+      return way[0] * tangent.x() + way[1] * tangent.y() + way[2] * tangent.z();
+    };
+    const Spot edge{along(slope.u), along(slope.v)};
     const double length = edge.norm();
-    if (length < 1e-9) return;
-    const Vec2d normal = Vec2d(-edge.y(), edge.x()) * (1 / length);
-    const double across = direction.dot(normal);
-    if (std::abs(across) < 0.3) return;
-    const Vec3d gradient = (normal.transpose() * by_point).transpose();
-    Eigen::Matrix<double, 6, 1> by_pose;
-    by_pose.head<3>() = (x - motion_.pose.t).cross(gradient);
-    by_pose.tail<3>() = gradient;
-    set_.lines.push_back(
-        {by_pose, clock_.at(px.y()), along * across, sigma, cell, growth.first, growth.second * across});
+    if (length < 1e-6) return false;
+    const Spot normal = 1 / length * edge.across();
+    across = direction.dot(normal);
+    if (std::abs(across) < 0.3) return false;
+    const auto gradient = [&](int i) { return normal.u * slope.u[i] + normal.v * slope.v[i]; };
+    const double gx = gradient(0), gy = gradient(1), gz = gradient(2);
+    const Vec3d& t = motion_.pose.t;
+    const double rx = x.x() - t.x(), ry = x.y() - t.y(), rz = x.z() - t.z();
+    double* const by = m.by_pose.data();
+    by[0] = ry * gz - rz * gy;
+    by[1] = rz * gx - rx * gz;
+    by[2] = rx * gy - ry * gx;
+    by[3] = gx;
+    by[4] = gy;
+    by[5] = gz;
+    m.seconds = clock_.at(px.v);
+    return true;
+  }
+
+  void add(LineMeasurement& m, double across, double along, std::pair<int, double> growth) {
+    m.offset = along * across;
+    m.growth = growth.first;
+    m.by_growth = growth.second * across;
+    set_.lines.push_back(m);
   }
 
   void outlines(int c) {
@@ -236,33 +316,38 @@ class LineMeter {
                double cosine) {
     const Vec3d centre = here.centre + shift * here.tangent;
     const Vec3d x = here.surface(rod_.radius(), here.out(sine, cosine)) + shift * here.tangent;
-    Vec2d px, pc, pt;
+    Spot px, pc, pt;
     if (!pixel_of(x, px) || !pixel_of(centre, pc) || !pixel_of(x + here.tangent, pt)) return;
-    const Vec2d edge = (pt - px).normalized();
-    Vec2d normal(-edge.y(), edge.x());
-    if (normal.dot(px - pc) < 0) normal = -normal;
+    const Spot edge = pt - px;
+    Spot normal = 1 / edge.norm() * edge.across();
+    if (normal.dot(px - pc) < 0) normal = -1 * normal;
     const double radius = normal.dot(px - pc);
     if (radius < 1.5 || hidden(section, x)) return;
     const double reach = std::min(std::max(0.4 * radius, 1.2), options_.reach);
-    const Vec2d inside = px - reach * normal, outside = px + reach * normal;
-    if (!image_.contains(outside.x(), outside.y()) || !image_.contains(inside.x(), inside.y())) return;
-    const Color ca = to_color(at(inside)), cb = to_color(at(outside));
-    if (inks_.match(ca, rod_.ink(c)) != Inks::Match::agrees || (cb - ca).matrix().norm() < min_outline_contrast) return;
+    const Spot inside = px - reach * normal, outside = px + reach * normal;
+    if (!contains(outside) || !contains(inside)) return;
+    const ColorLanes ca = at(inside), cb = at(outside);
+    if (inks_.match(ca, rod_.ink(c)) != Inks::Match::agrees || norm(cb - ca) < min_outline_contrast) return;
     // What is behind the rod tells by what the ink does not have of it, as the ink darkens towards the outline.
-    const Color ink = linear(ca), behind = linear(cb), heavy = weighted(ink);
-    const Color other = behind - ink * ((behind * heavy).sum() / (ink * heavy).sum());
-    if (other.matrix().norm() < 0.1F * ink.matrix().norm()) return;
-    const double along = step_offset(px, -normal, normal, reach, ink, other);
-    if (std::abs(along) < reach)
-      add(x, px, here.tangent, normal, along, outline_sigma, c,
-          {outline_growth + 2 * std::clamp(rod_.arm_of(c), 0, 1) + (sine > 0 ? 1 : 0), 1});
+    const ColorLanes ink = linear(ca), behind = linear(cb), heavy = weighted(ink);
+    const float share = cv::v_reduce_sum(behind * heavy) / cv::v_reduce_sum(ink * heavy);
+    const ColorLanes other = behind - ink * cv::v_setall_f32(share);
+    if (norm(other) < 0.1F * norm(ink)) return;
+    LineMeasurement m;
+    double across = 0;
+    if (!tell_slope(x, px, here.tangent, normal, m, across)) return;
+    const double along = step_offset(px, -1 * normal, normal, reach, ink, other);
+    if (std::abs(along) >= reach) return;
+    m.sigma = outline_sigma;
+    m.cell = c;
+    add(m, across, along, {outline_growth + 2 * std::clamp(rod_.arm_of(c), 0, 1) + (sine > 0 ? 1 : 0), 1});
   }
 
   const ImageView& image_;
   const Intrinsics& k_;
   const RowClock& clock_;
   const RodModel& rod_;
-  const Inks& inks_;
+  const InkMatcher inks_;
   const Motion& motion_;
   const LineOptions& options_;
   LineSet& set_;

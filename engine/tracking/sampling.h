@@ -57,6 +57,15 @@ inline ColorLanes sample_lanes(const ImageView& image, double u, double v) {
   return sample_lanes(image, PicturePoint::at(u, v));
 }
 
+/// The fourth lane 0.
+inline ColorLanes without_rest(const ColorLanes& lanes) {
+  return lanes & cv::v_reinterpret_as_f32(cv::v_int32x4(-1, -1, -1, 0));
+}
+
+inline ColorLanes to_lanes(const Color& c) {
+  return {c[0], c[1], c[2], 0};
+}
+
 inline Color to_color(const ColorLanes& lanes) {
   float c[4];
   cv::v_store(c, lanes);

@@ -160,12 +160,16 @@ class Tracker::Impl {
     const double surprise = std::min(surprise_[m], off(still.pose));
     const Nearness nearness = surprise < max_settled_shift ? Nearness::exactly
                               : surprise < max_slow_shift  ? Nearness::nearly
+                              : surprise < max_usual_shift ? Nearness::loosely
                                                            : Nearness::roughly;
     const auto look = [&](Nearness n) { return lines_.prove(view, marker, rod, moving, prior, f.inks(), d, n); };
     if (look(nearness) || (nearness != Nearness::roughly && look(Nearness::roughly))) {
       surprise_[m] = off(d.refinement.pose);
       return true;
     }
+    // An arm that shows its edges may be right by now, and only the other one not.
+    const bool led = d.refinement.valid;
+    const EigenPose led_to = d.refinement.pose;
     // Where it was it may seem to be in part while it moves on.
     Detection here;
     const bool stayed = lines_.prove(view, marker, rod, still, {}, f.inks(), here);
@@ -174,7 +178,7 @@ class Tracker::Impl {
     };
     if (!stayed || !shows_well(here)) {
       if (detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d)) return true;
-      if (by_look(moving.pose)) return true;
+      if (by_look(moving.pose) || (led && by_look(led_to))) return true;
     }
     if (!stayed) return by_look(still.pose);
     d = std::move(here);
@@ -303,8 +307,8 @@ class Tracker::Impl {
   Levels smoothed_;
   bool levels_made_ = false;
   Time time_, last_time_;
-  static constexpr int long_ago = 1 << 20;                                // Pictures.
-  static constexpr double max_slow_shift = 2.5, max_settled_shift = 0.5;  // Pixels.
+  static constexpr int long_ago = 1 << 20;                                                       // Pictures.
+  static constexpr double max_usual_shift = 6.5, max_slow_shift = 2.5, max_settled_shift = 0.5;  // Pixels.
   static constexpr int sharpen_when_standing_for = 4, sharpen_every = 3;
   int since_search_ = 0, since_thorough_ = long_ago, since_sharpened_ = 0;
   std::size_t last_sharpened_ = 0;
