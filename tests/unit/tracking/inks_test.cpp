@@ -1,6 +1,10 @@
 #include "tracking/inks.h"
 
+#include "tracking/ink_matcher.h"
+
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace onestroke::test {
 namespace {
@@ -67,6 +71,36 @@ TEST(Inks, SamplesAreAveragedByChromaticity) {
   EXPECT_NEAR(inks.chroma[0][0], 0.5F, 1e-4F);
   EXPECT_NEAR(inks.chroma[0][1], (0.25F + 0.125F) / 2, 1e-4F);
   EXPECT_NEAR(inks.chroma[0].sum(), 1, 1e-4F);
+}
+
+// A colour on the border of an ink may fall on either side of it.
+bool on_border(const Inks& inks, const Color& c, int expected) {
+  for (int channel = 0; channel < 3; ++channel)
+    for (const float step : {-0.01F, 0.01F}) {
+      Color beside = c;
+      beside[channel] += step;
+      if (inks.match(beside, expected) != inks.match(c, expected)) return true;
+    }
+  return false;
+}
+
+TEST(InkMatcher, SaysWhatInksSay) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> level(0, 255);
+  std::array<int, 3> said{};
+  for (const Inks& inks : {learnt(), learnt({0, 2}), learnt({1}), Inks{}}) {
+    const InkMatcher matcher(inks);
+    for (int i = 0; i < 6000; ++i) {
+      const Color c = i % 50 == 0 ? Color(level(random) / 40, level(random) / 40, 0)
+                                  : Color(level(random), level(random), level(random));
+      const int expected = i % 3;
+      const Inks::Match match = matcher.match(to_lanes(c), expected);
+      ++said[static_cast<std::size_t>(match)];
+      ASSERT_TRUE(match == inks.match(c, expected) || on_border(inks, c, expected))
+          << c.transpose() << ", expected " << expected;
+    }
+  }
+  for (const int count : said) EXPECT_GT(count, 300);
 }
 
 }  // namespace
