@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <set>
@@ -15,8 +16,8 @@ namespace onestroke::accuracy {
 namespace {
 
 constexpr std::array packages{
-    "lomiri-wallpapers-16.04",     "lomiri-wallpapers-20.04", "mate-backgrounds", "opencv-doc",
-    "plasma-workspace-wallpapers", "ukui-wallpapers"};
+    "lomiri-wallpapers-16.04", "lomiri-wallpapers-20.04",     "lxqt-themes",     "mate-backgrounds", "opencv-doc",
+    "palapeli-data",           "plasma-workspace-wallpapers", "ukui-wallpapers", "visp-images-data"};
 
 constexpr int width = 1280, part_height = 960;
 // Smaller ones are icons and pieces of screens.
@@ -26,12 +27,31 @@ constexpr int max_parts = 4;
 
 bool is_picture(const std::filesystem::path& file) {
   const std::string kind = file.extension().string();
-  return kind == ".jpg" || kind == ".jpeg" || kind == ".png";
+  return kind == ".jpg" || kind == ".jpeg" || kind == ".png" || kind == ".pgm";
 }
 
-// Buttons, graphs and screens come as PNG in the OpenCV manual; previews stand beside KDE's wallpapers.
+bool has_one_of(const std::string& text, std::initializer_list<const char*> parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const char* part) { return text.find(part) != std::string::npos; });
+}
+
+// Of ViSP's pictures the camera's own: of films every tenth.
+bool is_camera_picture(const std::string& file) {
+  if (has_one_of(file, {"/calibration/", "/AprilTag/AprilTag"})) return true;
+  const bool film = has_one_of(file, {"/cube/image", "/castel/image"});
+  return film && file.ends_with("0.pgm");
+}
+
+// Buttons, graphs and screens come as PNG in the OpenCV manual, previews stand beside KDE's wallpapers, and drawings
+// beside photographs in LXQt's and Palapeli's.
 bool is_photograph(const std::string& package, const std::filesystem::path& file) {
   if (!is_picture(file) || file.stem() == "screenshot") return false;
+  const std::string name = file;
+  if (package == "lxqt-themes")
+    return has_one_of(name, {"/wallpapers/"}) &&
+           !has_one_of(name, {"logo", "origami", "plasma", "triangles", "waves", "simple"});
+  if (package == "palapeli-data") return has_one_of(name, {"/collection/"});
+  if (package == "visp-images-data") return is_camera_picture(name);
   return package != "opencv-doc" || file.extension() == ".jpg";
 }
 
