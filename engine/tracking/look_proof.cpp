@@ -53,15 +53,15 @@ bool proven(const PhotometricFit& fit) {
   return fit.valid && fit.likelihood >= min_likelihood && fit.proof >= min_proof;
 }
 
-// From a pose or, where that leads to what is likely but not proven, from one tilted a little: an arm that points at
-// the camera is a few pixels long, and the fit may stop with its cells one beside the other.
+// An arm that points at the camera is a few pixels long, and the fit may stop with its cells one beside the other.
 PhotometricFit fit_from(const Levels& levels, const Intrinsics& intrinsics, const RodModel& rod, const Inks& inks,
-                        const Surroundings& around, const EigenPose& start) {
+                        const Surroundings& around, const EigenPose& start, LookStarts starts) {
   const auto fit = [&](const EigenPose& from) {
     return fit_photometric(levels.sharp, intrinsics, rod, inks, around, from);
   };
   const PhotometricFit best = fit(start);
-  if (proven(best) || !best.valid || best.likelihood < hopeful_likelihood) return best;
+  const bool hopeful = best.valid && best.likelihood >= hopeful_likelihood;
+  if (starts == LookStarts::expected || !hopeful || proven(best)) return best;
   const Vec3d middle = start * rod.centre();
   for (const double angle : small_tilts)
     for (const Vec3d& axis : {Vec3d(Vec3d::UnitX()), Vec3d(Vec3d::UnitY())}) {
@@ -90,10 +90,10 @@ bool one_arm_shows(const RodModel& rod, const Appearance& a) {
 }  // namespace
 
 bool prove_by_look(const Levels& levels, const Intrinsics& intrinsics, int marker, const RodModel& rod,
-                   const EigenPose& expected, const Inks& inks, Detection& detection) {
+                   const EigenPose& expected, const Inks& inks, Detection& detection, LookStarts starts) {
   const ImageView& image = levels.sharp;
   const Surroundings around(image, intrinsics, rod, expected);
-  const PhotometricFit fit = fit_from(levels, intrinsics, rod, inks, around, expected);
+  const PhotometricFit fit = fit_from(levels, intrinsics, rod, inks, around, expected, starts);
   if (!proven(fit)) return false;
   Detection d{marker, {}, assess(image, intrinsics, rod, inks, fit.pose), inks};
   d.refinement.pose = fit.pose;

@@ -173,14 +173,15 @@ class Tracker::Impl {
     // Where it was it may seem to be in part while it moves on.
     Detection here;
     const bool stayed = lines_.prove(view, marker, rod, still, {}, f.inks(), here);
-    const auto by_look = [&](const EigenPose& pose) {
-      return prove_by_look(levels(view), picture.intrinsics, marker, rod, pose, f.inks(), d);
+    const auto by_look = [&](const EigenPose& pose, LookStarts starts) {
+      return prove_by_look(levels(view), picture.intrinsics, marker, rod, pose, f.inks(), d, starts);
     };
     if (!stayed || !shows_well(here)) {
       if (detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d)) return true;
-      if (by_look(moving.pose) || (led && by_look(led_to))) return true;
+      if (by_look(moving.pose, LookStarts::expected)) return true;
+      if (by_look(led ? led_to : moving.pose, LookStarts::tilted_too)) return true;
     }
-    if (!stayed) return by_look(still.pose);
+    if (!stayed) return by_look(still.pose, LookStarts::expected);
     d = std::move(here);
     return true;
   }
