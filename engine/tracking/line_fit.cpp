@@ -58,10 +58,12 @@ LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& 
       fit.motion.angular += d.template segment<3>(6);
       fit.motion.linear += d.template segment<3>(9);
     }
-    if (&options == &passes.back()) fit.covariance.topLeftCorner<N, N>() = solver.covariance();
+    if (&options == &passes.back()) {
+      fit.covariance.topLeftCorner<N, N>() = solver.covariance();
+      fit.moved = solver.moved();
+    }
     fit.support = solver.support();
     fit.supported = solver.ring_weight();
-    fit.moved = solver.moved();
     fit.rms = solver.rms();
     return fit.motion.pose.t.z() > 10 && fit.covariance.allFinite();
   };

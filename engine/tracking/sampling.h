@@ -66,10 +66,4 @@ inline ColorLanes to_lanes(const Color& c) {
   return {c[0], c[1], c[2], 0};
 }
 
-inline Color to_color(const ColorLanes& lanes) {
-  float c[4];
-  cv::v_store(c, lanes);
-  return {c[0], c[1], c[2]};
-}
-
 }  // namespace onestroke

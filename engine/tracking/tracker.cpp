@@ -178,8 +178,8 @@ class Tracker::Impl {
     };
     if (!stayed || !shows_well(here)) {
       if (detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d)) return true;
-      if (by_look(moving.pose, LookStarts::expected)) return true;
-      if (by_look(led ? led_to : moving.pose, LookStarts::tilted_too)) return true;
+      if (by_look(moving.pose, led ? LookStarts::expected : LookStarts::tilted_too)) return true;
+      if (led && by_look(led_to, LookStarts::tilted_too)) return true;
     }
     if (!stayed) return by_look(still.pose, LookStarts::expected);
     d = std::move(here);

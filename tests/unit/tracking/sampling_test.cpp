@@ -10,6 +10,12 @@
 namespace onestroke::test {
 namespace {
 
+Color to_color(const ColorLanes& lanes) {
+  float c[4];
+  cv::v_store(c, lanes);
+  return {c[0], c[1], c[2]};
+}
+
 TEST(Sampling, LanesGiveWhatSingleChannelsGive) {
   constexpr int width = 23, height = 17;
   constexpr std::size_t stride = 3 * width;
