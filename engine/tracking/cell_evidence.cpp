@@ -12,30 +12,34 @@ using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
 constexpr double samples_per_cell = 2;
-// How common plain things are where a rod may be, and the square over which they are plain: a few rings, working
-// pixels.
+// How common plain things are where a rod may be, and the square over which they are plain: working pixels, and rods'
+// thicknesses where a thick rod is not reduced.
 constexpr float plain_share = 0.2F;
 constexpr int plain_side = 21;
+constexpr double plain_thicknesses = 1.5;
 // Of the sensor, linear light.
 constexpr float sensor_noise = 0.004F, black = 0.003F;
 
 // The mean of what is seen on the rod around each pixel; the fourth component is not used.
-cv::Mat plain_picture(const RodRaster& raster, const cv::Mat& seen) {
+cv::Mat plain_picture(const RodRaster& raster, const cv::Mat& seen, int side) {
   cv::Mat part(seen.rows, seen.cols, CV_32FC4, cv::Scalar(0, 0, 0, 0)), mean;
   for (const auto& [y, x, i] : raster.spots()) {
     if (!raster.on_rod(y, x)) continue;
     const Pixel3& c = seen.at<Pixel3>(y, x);
     part.at<Pixel4>(y, x) = Pixel4(c[0], c[1], c[2], 1);
   }
-  cv::blur(part, mean, cv::Size(plain_side, plain_side), cv::Point(-1, -1), cv::BORDER_CONSTANT);
+  cv::blur(part, mean, cv::Size(side, side), cv::Point(-1, -1), cv::BORDER_CONSTANT);
   return mean;
 }
 
 }  // namespace
 
-void CellEvidence::sample(const cv::Mat& seen) {
+void CellEvidence::sample(const cv::Mat& seen, Plain plain_over) {
   samples_.clear();
-  const cv::Mat plain = plain_picture(raster_, seen);
+  const double thickness = 2 * raster_.rod().radius() * around_.pixels_per_mm() / raster_.factor();
+  const int rings = 2 * static_cast<int>(plain_thicknesses * thickness / 2) + 1;
+  const cv::Mat plain =
+      plain_picture(raster_, seen, plain_over == Plain::close_by ? plain_side : std::max(plain_side, rings));
   for (const auto& [y, x, i] : raster_.spots()) {
     if (!raster_.on_rod(y, x) || !look_.known(y, x)) continue;
     const Pixel3& c = seen.at<Pixel3>(y, x);

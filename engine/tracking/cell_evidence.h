@@ -17,8 +17,11 @@ class CellEvidence {
   CellEvidence(const RodRaster& raster, const RodLook& look, const Inks& inks, const Surroundings& around)
       : raster_(raster), look_(look), inks_(inks), around_(around) {}
 
+  /// Over how much of the rod a plain thing is taken for plain: so little that a ring's own neighbourhood is, which is
+  /// sharp in telling a blur, or a few rings, however many pixels they are.
+  enum class Plain { close_by, some_rings };
   /// Samples a picture (linear light, of the raster's size) and what the look predicts of it.
-  void sample(const cv::Mat& seen);
+  void sample(const cv::Mat& seen, Plain plain);
   /// Weighs the samples. `spread`: standard deviation of a component of the chromaticity about what is predicted,
   /// beyond the sensor's noise; `any_ring`: the share of what shows on the rod that may be another ring than predicted.
   void weigh(float spread, float any_ring);

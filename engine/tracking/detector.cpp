@@ -1,5 +1,6 @@
 #include "tracking/detector.h"
 
+#include "tracking/candidate_groups.h"
 #include "tracking/likelihood.h"
 #include "tracking/whole_look.h"
 
@@ -7,12 +8,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace onestroke {
 namespace {
 
 constexpr int max_proofs_per_marker = 8;
 constexpr int max_rolls = 4;
+// Nats by which a name must lead over another one in the same place.
+constexpr double min_name_margin = 6;
+// Nats that no closer look makes up for.
+constexpr double hopelessly_behind = 18;
 // A short or noisy row leaves its tilt to the camera uncertain by about this much, radians.
 constexpr std::array<double, 5> tilts{0, -0.12, 0.12, -0.24, 0.24};
 
@@ -22,6 +28,9 @@ constexpr std::array<SegmentationOptions, 5> sharp_segmentations{
     {{1.0F}, {1.6F}, {1.0F, 0.4F}, {1.6F, 0.12F, 7.0F, 0.75F}, {1.0F, 0.05F, 3.0F, 0.75F}}};
 // Defocus and noise mix the inks; smoothed, the little that they differ by still stands out of the noise.
 constexpr std::array<SegmentationOptions, 2> soft_segmentations{{{1.0F, 0.05F, 3.0F}, {1.0F, 0.05F, 3.0F, 0.75F}}};
+// Inks before petals and screens of their own colour, for pictures that stand alone.
+constexpr std::array<SegmentationOptions, 2> pale_segmentations{
+    {{1.0F, 0.35F, 5.0F, 1.0F, 0.12F}, {1.6F, 0.35F, 5.0F, 0.75F, 0.12F}}};
 constexpr std::array<SegmentationOptions, 3> softer_segmentations{{{1.0F}, {1.6F}, {1.25F, 0.05F, 3.0F}}};
 
 // Two detections explain the same cells of the picture.
@@ -108,6 +117,7 @@ Detector::Detector(const Catalog& catalog, const Search& search) : catalog_(cata
 void Detector::propose(const ImageView& image, const SegmentationOptions& segmentation, const Intrinsics& intrinsics,
                        const std::vector<bool>& skip) {
   segment(image, segmentation, labels_);
+  if (segmentation.least_share > 0) peel(image.width, image.height, labels_);
   cell_finder_.find(labels_, image.width, image.height, {}, cells_);
   find_chains(image);
   readings_ = read_chains(catalog_, cells_, chains_);
@@ -221,28 +231,49 @@ void Detector::complete_arm(const Levels& levels, const Intrinsics& intrinsics, 
   }
 }
 
-// The markers that ring edges did not prove.
-void Detector::prove_by_look(const WholeLook& look, const Intrinsics& intrinsics,
-                             std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const {
+// The candidates of markers that ring edges did not prove, by marker and place; those of which there are most first.
+std::vector<std::vector<PoseCandidate>> Detector::unproven(const Intrinsics& intrinsics,
+                                                           std::vector<PoseCandidate>& candidates,
+                                                           const std::vector<Detection>& proven) const {
   likeliest_first(candidates);
-  std::vector<Detection> doubtful;
+  std::vector<std::vector<PoseCandidate>> all;
   for (std::size_t m = 0; m < rods_.size(); ++m) {
     const int marker = static_cast<int>(m);
     if (std::any_of(proven.begin(), proven.end(), [&](const Detection& d) { return d.marker == marker; })) continue;
     std::vector<PoseCandidate> own;
     for (const PoseCandidate& c : candidates)
       if (c.marker == marker && c.likelihood > 0 && !explained(intrinsics, rods_[m], c, proven)) own.push_back(c);
-    Detection d;
-    if (own.empty()) continue;
-    const bool proof = look.prove(own, search_.max_fits, d);
-    if (d.likelihood > 0) (proof ? proven : doubtful).push_back(std::move(d));
+    for (auto& group : group_by_place(rods_[m], own)) all.push_back(std::move(group));
   }
-  // What another marker explains better is not proven, though that one be doubtful too.
-  std::erase_if(proven, [&](const Detection& d) {
-    return d.likelihood > 0 && std::any_of(doubtful.begin(), doubtful.end(), [&](const Detection& other) {
-             return other.likelihood > d.likelihood && collide(rod(d.marker), d, rod(other.marker), other);
-           });
-  });
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return all;
+}
+
+// The markers that ring edges did not prove.
+void Detector::prove_by_look(const WholeLook& look, const Intrinsics& intrinsics,
+                             std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const {
+  std::vector<Detection> likely, doubtful;
+  // Another name in the same place is likelier by more than `nats`.
+  const auto outdone = [&](const Detection& d, double nats) {
+    const auto outdoes = [&](const Detection& other) {
+      return other.marker != d.marker && other.likelihood > d.likelihood + nats &&
+             collide(rod(d.marker), d, rod(other.marker), other);
+    };
+    return std::any_of(likely.begin(), likely.end(), outdoes) || std::any_of(doubtful.begin(), doubtful.end(), outdoes);
+  };
+  const auto hopeless = [&](const Detection& d) { return outdone(d, hopelessly_behind); };
+  for (const auto& group : unproven(intrinsics, candidates, proven)) {
+    std::vector<Detection> same;
+    std::copy_if(likely.begin(), likely.end(), std::back_inserter(same),
+                 [&](const Detection& d) { return d.marker == group.front().marker; });
+    if (explained(intrinsics, rod(group.front().marker), group.front(), same)) continue;
+    Detection d;
+    const bool proof = look.prove(group, search_.max_fits, hopeless, d);
+    if (d.likelihood > 0) (proof ? likely : doubtful).push_back(std::move(d));
+  }
+  // What another marker explains about as well is not proven, though that one be doubtful too.
+  for (const Detection& d : likely)
+    if (!outdone(d, -min_name_margin)) proven.push_back(d);
 }
 
 // The same row comes out of several segmentations.
@@ -287,6 +318,8 @@ void Detector::detect(const TimedView& view, const Levels& levels, const std::ve
   for (const SegmentationOptions& s : sharp_segmentations) propose(levels.sharp, s, intrinsics, skip);
   for (const SegmentationOptions& s : soft_segmentations) propose(levels.soft, s, intrinsics, skip);
   for (const SegmentationOptions& s : softer_segmentations) propose(levels.softer, s, intrinsics, skip);
+  if (search_.join_rows)
+    for (const SegmentationOptions& s : pale_segmentations) propose(levels.soft, s, intrinsics, skip);
   std::vector<PoseCandidate> candidates;
   for (const Proposal& p : pairs_) weigh(levels, intrinsics, p, candidates);
   std::stable_sort(candidates.begin(), candidates.end(),

@@ -61,6 +61,8 @@ class Detector {
   static void relearn(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, Detection& detection);
   void complete_arm(const Levels& levels, const Intrinsics& intrinsics, const Proposal& single,
                     std::vector<PoseCandidate>& candidates, std::vector<Detection>& proven) const;
+  std::vector<std::vector<PoseCandidate>> unproven(const Intrinsics& intrinsics, std::vector<PoseCandidate>& candidates,
+                                                   const std::vector<Detection>& proven) const;
   void prove_by_look(const WholeLook& look, const Intrinsics& intrinsics, std::vector<PoseCandidate>& candidates,
                      std::vector<Detection>& proven) const;
   void thin_singles();

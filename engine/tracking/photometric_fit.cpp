@@ -121,7 +121,7 @@ class Fitter {
     if (!inks_differ()) return false;
     result_.blur = camera_blur_.scaled(raster_.factor());
     result_.likelihood = result_.proof = -1e9;
-    evidence_.sample(seen_);
+    evidence_.sample(seen_, CellEvidence::Plain::some_rings);
     for (const float spread : spreads) {
       evidence_.weigh(spread, 0);
       result_.proof = std::max(result_.proof, visible_or_covered(evidence_.against_plain()));
@@ -172,7 +172,7 @@ class Fitter {
 
   // Tukey's biweight of each pixel's error, and what the errors come to.
   void weigh() {
-    evidence_.sample(seen_);
+    evidence_.sample(seen_, CellEvidence::Plain::close_by);
     evidence_.weigh(inks_.spread(), may_be_any_ring);
     visible_probabilities(evidence_.against_plain(), visible_);
     errors_.clear();

@@ -12,8 +12,10 @@ constexpr double max_gap = 13;
 constexpr double off_by_width = 0.3, off_by_distance = 0.1;
 // Rods look thicker and cells longer where they are nearer.
 constexpr double max_width_ratio = 1.6, max_step_ratio = 2;
-// A gap that is less sure than this is taken both ways, positions.
-constexpr double sure = 0.22;
+// How far off the number of cells in a gap may be, positions; and where the gap is long and a piece short, so that a
+// tip's disc or a cell half covered falsifies its spacing, the share of the gap besides.
+constexpr double off_by_place = 0.78, off_by_spacing = 0.06, long_gap = 7;
+constexpr std::size_t short_piece = 3;
 constexpr std::size_t max_joined = 300;
 
 double ratio(double a, double b) {
@@ -66,10 +68,11 @@ void RowJoiner::find_links(const std::vector<Chain>& chains) {
       const double across_a = (a.last - a.middle).norm() / a.step, across_b = (b.middle - b.first).norm() / b.step;
       const double gap = (b.middle - a.middle).norm() / std::sqrt(a.step * b.step) - across_a - across_b;
       if (gap < 0.7 || gap > max_gap) continue;
-      const double nearest = std::max(1.0, std::round(gap));
-      links_[i].push_back({j, static_cast<int>(nearest)});
-      const double other = gap > nearest ? nearest + 1 : nearest - 1;
-      if (std::abs(gap - nearest) > sure && other >= 1) links_[i].push_back({j, static_cast<int>(other)});
+      const std::size_t fewest = std::min(chains[static_cast<std::size_t>(a.chain)].links.size(),
+                                          chains[static_cast<std::size_t>(b.chain)].links.size());
+      const double off = off_by_place + (fewest <= short_piece && gap > long_gap ? off_by_spacing * gap : 0);
+      for (int g = std::max(1, static_cast<int>(std::ceil(gap - off))); g <= gap + off; ++g)
+        links_[i].push_back({j, g});
     }
 }
 

@@ -11,8 +11,8 @@ namespace onestroke {
 class RowJoiner {
  public:
   /// Appends a chain for each way of joining two or three of the chains given that makes a row of `min_cells` at least.
-  /// How many cells are covered between two pieces follows from their spacing and its change by perspective; where that
-  /// leaves two numbers, there are two chains.
+  /// How many cells are covered between two pieces follows from their spacing and its change by perspective; there is a
+  /// chain for each number that this leaves.
   void join(const std::vector<Cell>& cells, std::size_t min_cells, std::vector<Chain>& chains);
 
  private:

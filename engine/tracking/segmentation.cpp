@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace onestroke {
 namespace {
@@ -19,20 +20,22 @@ class InkTest {
       : red_gain_(static_cast<int>(256 * options.red_gain + 0.5F)),
         blue_gain_(static_cast<int>(256 * options.blue_gain + 0.5F)),
         relative_(static_cast<int>(256 * options.relative_margin + 0.5F)),
-        absolute_(static_cast<int>(256 * options.absolute_margin + 0.5F)) {}
+        absolute_(static_cast<int>(256 * options.absolute_margin + 0.5F)),
+        least_(static_cast<int>(256 * options.least_share + 0.5F)) {}
 
   std::uint8_t operator()(int red, int green, int blue) const {
     const int r = red_gain_ * red, g = 256 * green, b = blue_gain_ * blue;
     const int high = std::max({r, g, b});
     const int middle = std::max(std::min(r, g), std::min(std::max(r, g), b));
     const int needed = std::max(absolute_, (high >> 8) * relative_);
-    const std::uint8_t best = high == r ? 0 : (high == g ? 1 : 2);
-    return high - middle >= needed ? best : no_ink;
+    if (high - middle < needed || std::min({r, g, b}) < (high >> 8) * least_) return no_ink;
+    return high == r ? 0 : (high == g ? 1 : 2);
   }
 
-  // Sixteen pixels at once, where no channel is gained: the scalar test to the last bit, as levels are whole.
+  // Sixteen pixels at once, where no channel is gained and the smallest may be anything: the scalar test to the last
+  // bit, as levels are whole.
   bool lanes_agree() const {
-    return red_gain_ == 256 && blue_gain_ == 256 && relative_ <= 256 && absolute_ <= 255 * 256;
+    return red_gain_ == 256 && blue_gain_ == 256 && relative_ <= 256 && absolute_ <= 255 * 256 && least_ == 0;
   }
   cv::v_uint8x16 operator()(const cv::v_uint8x16& r, const cv::v_uint8x16& g, const cv::v_uint8x16& b) const {
     const cv::v_uint8x16 high = cv::v_max(cv::v_max(r, g), b);
@@ -50,7 +53,7 @@ class InkTest {
   }
 
  private:
-  int red_gain_, blue_gain_, relative_, absolute_;
+  int red_gain_, blue_gain_, relative_, absolute_, least_;
 };
 
 // Four pixels, `step` bytes apart, as words; reads one byte beyond the last.
@@ -101,6 +104,21 @@ void segment(const ImageView& image, const SegmentationOptions& options, std::ve
       cv::v_store(out, ink(r, g, b));
     }
     for (; x < width; ++x, p += 3 * factor) *out++ = ink(p[0], p[1], p[2]);
+  }
+}
+
+void peel(int width, int height, std::vector<std::uint8_t>& labels) {
+  const auto w = static_cast<std::size_t>(width);
+  // As they were; beyond the picture there is no ink.
+  std::vector<std::uint8_t> above(w, no_ink), here(w), none(w, no_ink);
+  for (int y = 0; y < height; ++y, std::swap(above, here)) {
+    std::uint8_t* row = labels.data() + static_cast<std::size_t>(y) * w;
+    const std::uint8_t* below = y + 1 < height ? row + w : none.data();
+    std::copy(row, row + width, here.begin());
+    for (std::size_t x = 0; x < w; ++x) {
+      const bool inside = x > 0 && x + 1 < w && here[x - 1] == here[x] && here[x + 1] == here[x];
+      if (!inside || above[x] != here[x] || below[x] != here[x]) row[x] = no_ink;
+    }
   }
 }
 

@@ -10,7 +10,7 @@ namespace onestroke {
 namespace {
 
 // Nats. Of candidates that are worth a fit, and of fits that are worth a look beside them.
-constexpr double worth_fitting = 25, worth_fitting_more = 30, worth_looking_beside = 65, worth_proof = 45;
+constexpr double worth_fitting = 18, worth_fitting_more = 30, worth_looking_beside = 65, worth_proof = 35;
 // Fits of a marker's likeliest candidates that tell whether more of them are worth it.
 constexpr std::size_t enough_to_tell = 3;
 // Nats. Of what is believed: the likelihood, that of each straight arm (one that shows nothing proves no roll), the
@@ -18,6 +18,8 @@ constexpr std::size_t enough_to_tell = 3;
 constexpr double min_likelihood = 55, min_arm = 1, min_margin = 6, min_proof = 60;
 // Of the cells that are believed in, one in eight may show a wrong ink.
 constexpr int min_agreeing = 12, agreeing_per_contradiction = 8;
+// Where more of them do, no other way of holding the rod will mend it.
+constexpr int agreeing_per_contradiction_at_all = 5;
 // Starts nearer than this to one another (radians, share of the distance) are drawn into the same fit.
 constexpr double same_turn = 0.1, same_move = 0.04;
 // A best fit further from where the look began, as a share of the distance, stands before other surroundings.
@@ -31,10 +33,10 @@ constexpr double roll_step = 0.04;
 constexpr std::size_t max_climbs = 24, max_beside = 3;
 constexpr int rivals_an_arm = 3;
 constexpr std::size_t max_around = 6;
-// Nats within which ways of holding the rod are contested, where the arm that shows least is no more than half covered
-// (a covered one costs four), and how many are.
+// Nats within which ways of holding the rod are contested, where the arm that shows least is no more than half
+// covered (a covered one costs four), and how many are.
 constexpr double worth_contesting = 12, half_covered = -2;
-constexpr std::size_t max_contested = 6;
+constexpr std::size_t max_contested = 4;
 // Nats that are more than chance between two poses near one another.
 constexpr double clearly = 2;
 // Radians.
@@ -46,6 +48,10 @@ constexpr double small_pitch = 8, loose = 0.3, few = 0.55;
 bool turned_like_one_of(const std::vector<EigenPose>& poses, const EigenPose& pose) {
   return std::any_of(poses.begin(), poses.end(),
                      [&](const EigenPose& p) { return angle_between(p, pose) < same_turn; });
+}
+
+bool contradicted(const Detection& d) {
+  return agreeing_per_contradiction_at_all * d.appearance.contradicts > d.appearance.agrees;
 }
 
 }  // namespace
@@ -224,14 +230,13 @@ Detection WholeLook::measure(const Fits& fits) const {
   return d;
 }
 
-bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits, Detection& detection) const {
+bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits,
+                      const std::function<bool(const Detection&)>& hopeless, Detection& detection) const {
   detection.likelihood = 0;
   Fits fits(*this, candidates.front().marker, candidates.front().pose);
   fit_likeliest(fits, candidates, max_fits);
   if (fits.all.empty() || fits.all.front().likelihood < worth_looking_beside || fits.all.front().proof < worth_proof)
     return false;
-  const Appearance rough = assess(fits.image, intrinsics_, fits.rod, fits.all.front().inks, fits.all.front().pose);
-  if (3 * rough.contradicts > rough.agrees) return false;
   if (relative_distance(fits.all.front().pose, candidates.front().pose) > far_off) fits.recentre();
   look_around(fits);
   for (int round = 0; round < max_rounds; ++round) {
@@ -243,7 +248,7 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   detection = measure(fits);
   const bool before = believed(fits, detection);
   if (is_small(fits.rod, fits.all.front().pose)) return before;
-  if (before ? !fits.settle() : !fits.contest()) return before;
+  if (before ? !fits.settle() : contradicted(detection) || hopeless(detection) || !fits.contest()) return before;
   detection = measure(fits);
   return before || believed(fits, detection);
 }

@@ -79,6 +79,19 @@ TEST_F(Joining, PerspectiveChangesTheSpacing) {
   }
 }
 
+// As where a finger covers half of a piece's first cell, and the other piece ends in a disc.
+TEST_F(Joining, AShortPieceMayBeFalselySpaced) {
+  draw(1);
+  piece(0, 6);
+  piece(15, 18);
+  cells_[0].centre -= 8 * heading(0.4);
+  cells_[15].centre += 3 * heading(0.4);
+  const std::vector<Chain> rows = join();
+  EXPECT_GT(rows.size(), 1U);
+  EXPECT_LE(rows.size(), 4U);
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(), counts_places), 1);
+}
+
 TEST_F(Joining, PiecesMayRunEitherWay) {
   draw(1);
   piece(1, 5, true);

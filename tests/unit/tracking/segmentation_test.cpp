@@ -87,6 +87,34 @@ TEST(Segmentation, LanesGiveWhatSinglePixelsGive) {
     }
 }
 
+TEST(Segmentation, PaintIsToldFromPetalsByTheLeastOfItsChannels) {
+  const SegmentationOptions options{.least_share = 0.12F};
+  for (int ink = 0; ink < 3; ++ink) EXPECT_EQ(label_of(inks[static_cast<std::size_t>(ink)], options), ink);
+  const Rgb petal{160, 30, 3}, screen{10, 20, 220};
+  EXPECT_EQ(label_of(petal), 0);
+  EXPECT_EQ(label_of(petal, options), no_ink);
+  EXPECT_EQ(label_of(screen), 2);
+  EXPECT_EQ(label_of(screen, options), no_ink);
+}
+
+TEST(Segmentation, PeelingPartsWhatASeamJoins) {
+  constexpr int width = 13, height = 7;
+  std::vector<std::uint8_t> labels(std::size_t{width} * height, no_ink);
+  const auto at = [&](int x, int y) -> std::uint8_t& { return labels[static_cast<std::size_t>(y * width + x)]; };
+  // Two squares of red joined by a row of it, from border to border of the picture.
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 5; ++x) at(x, y) = at(8 + x, y) = 0;
+  for (int x = 5; x < 8; ++x) at(x, 3) = 0;
+  peel(width, height, labels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      // Where the seam set out there is red on all sides.
+      const bool set_out = y == 3 && (x == 4 || x == 8);
+      const bool inner = y > 0 && y < height - 1 && ((x > 0 && x < 4) || (x > 8 && x < 12));
+      EXPECT_EQ(at(x, y), inner || set_out ? 0 : no_ink) << x << ' ' << y;
+    }
+}
+
 TEST(Segmentation, InksKeepTheirLabelUnderMildColourCasts) {
   for (int ink = 0; ink < 3; ++ink)
     for (const Rgb& cast : {Rgb{1.15, 1, 0.8}, Rgb{0.85, 1, 1.15}, Rgb{1, 1.1, 1}})
