@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace onestroke {
 namespace {
@@ -56,20 +55,18 @@ bool collide(const RodModel& rod_a, const Detection& a, const RodModel& rod_b, c
   return inside >= 5;
 }
 
-// A marker that is proven already explains much of what the candidate would. Two that cross share fewer cells.
-bool explained(const Intrinsics& k, const RodModel& rod, const PoseCandidate& c, const std::vector<Detection>& proven) {
+// A detection explains much of what the candidate would. Of two that cross, one shares fewer cells with the other.
+bool explains(const Intrinsics& k, const RodModel& rod, const PoseCandidate& c, const Detection& d) {
   constexpr int shared_cells = 6;
   const double reach = 0.5 * pitch_in_pixels(k, rod, c.pose);
-  return std::any_of(proven.begin(), proven.end(), [&](const Detection& d) {
-    int shared = 0;
-    for (int i = 0; i < rod.cell_count(); ++i) {
-      Vec2d p;
-      if (!project(k, c.pose * rod.middle(i).centre, p)) continue;
-      shared += std::any_of(d.appearance.cells.begin(), d.appearance.cells.end(),
-                            [&](const CellCentre& q) { return std::hypot(p.x() - q.u, p.y() - q.v) < reach; });
-    }
-    return shared >= shared_cells;
-  });
+  int shared = 0;
+  for (int i = 0; i < rod.cell_count(); ++i) {
+    Vec2d p;
+    if (!project(k, c.pose * rod.middle(i).centre, p)) continue;
+    shared += std::any_of(d.appearance.cells.begin(), d.appearance.cells.end(),
+                          [&](const CellCentre& q) { return std::hypot(p.x() - q.u, p.y() - q.v) < reach; });
+  }
+  return shared >= shared_cells;
 }
 
 // Two starts from which the refinement ends in the same place.
@@ -242,7 +239,10 @@ std::vector<std::vector<PoseCandidate>> Detector::unproven(const Intrinsics& int
     if (std::any_of(proven.begin(), proven.end(), [&](const Detection& d) { return d.marker == marker; })) continue;
     std::vector<PoseCandidate> own;
     for (const PoseCandidate& c : candidates)
-      if (c.marker == marker && c.likelihood > 0 && !explained(intrinsics, rods_[m], c, proven)) own.push_back(c);
+      if (c.marker == marker && c.likelihood > 0 && std::none_of(proven.begin(), proven.end(), [&](const Detection& d) {
+            return explains(intrinsics, rods_[m], c, d);
+          }))
+        own.push_back(c);
     for (auto& group : group_by_place(rods_[m], own)) all.push_back(std::move(group));
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
@@ -263,10 +263,11 @@ void Detector::prove_by_look(const WholeLook& look, const Intrinsics& intrinsics
   };
   const auto hopeless = [&](const Detection& d) { return outdone(d, hopelessly_behind); };
   for (const auto& group : unproven(intrinsics, candidates, proven)) {
-    std::vector<Detection> same;
-    std::copy_if(likely.begin(), likely.end(), std::back_inserter(same),
-                 [&](const Detection& d) { return d.marker == group.front().marker; });
-    if (explained(intrinsics, rod(group.front().marker), group.front(), same)) continue;
+    const PoseCandidate& first = group.front();
+    if (std::any_of(likely.begin(), likely.end(), [&](const Detection& d) {
+          return d.marker == first.marker && explains(intrinsics, rod(first.marker), first, d);
+        }))
+      continue;
     Detection d;
     const bool proof = look.prove(group, search_.max_fits, hopeless, d);
     if (d.likelihood > 0) (proof ? likely : doubtful).push_back(std::move(d));
