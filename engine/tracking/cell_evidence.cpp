@@ -34,20 +34,20 @@ cv::Mat plain_picture(const RodRaster& raster, const cv::Mat& seen, int side) {
 
 }  // namespace
 
-void CellEvidence::sample(const cv::Mat& seen, Plain plain_over) {
+void CellEvidence::see(const cv::Mat& seen, Plain plain_over) {
   samples_.clear();
   const double thickness = 2 * raster_.rod().radius() * around_.pixels_per_mm() / raster_.factor();
   const int rings = 2 * static_cast<int>(plain_thicknesses * thickness / 2) + 1;
   const cv::Mat plain =
       plain_picture(raster_, seen, plain_over == Plain::close_by ? plain_side : std::max(plain_side, rings));
   for (const auto& [y, x, i] : raster_.spots()) {
-    if (!raster_.on_rod(y, x) || !look_.known(y, x)) continue;
+    if (!raster_.on_rod(y, x)) continue;
     const Pixel3& c = seen.at<Pixel3>(y, x);
     const Pixel4& p = plain.at<Pixel4>(y, x);
-    samples_.push_back({static_cast<std::size_t>(raster_.cell(i)), chroma_of(c),
-                        chroma_of(look_.picture().at<Pixel3>(y, x)),
+    const Color chroma = chroma_of(c);
+    samples_.push_back({y, x, static_cast<std::size_t>(raster_.cell(i)), chroma,
                         chroma_of(Pixel3(p[0], p[1], p[2]) * (1 / std::max(p[3], 1e-6F))),
-                        sensor_noise / (c[0] + c[1] + c[2] + black)});
+                        sensor_noise / (c[0] + c[1] + c[2] + black), around_.density(chroma)});
   }
 }
 
@@ -59,14 +59,14 @@ void CellEvidence::weigh(float spread, float any_ring) {
   surroundings_.fill(0);
   plain_.fill(0);
   for (const Sample& s : samples_) {
+    if (!look_.known(s.y, s.x)) continue;
     const float variance = spread * spread + s.noise * s.noise;
-    float as_rod = (1 - any_ring) * chroma_density(s.seen - s.predicted, variance);
+    float as_rod = (1 - any_ring) * chroma_density(s.seen - chroma_of(look_.picture().at<Pixel3>(s.y, s.x)), variance);
     if (any_ring > 0)
       for (const Color& ink : inks_.chroma) as_rod += any_ring / 3 * chroma_density(s.seen - ink, variance);
-    const float around = around_.density(s.seen);
     ++pixels[s.cell];
-    surroundings_[s.cell] += share * log_ratio(as_rod, around);
-    plain_[s.cell] += share * log_ratio(as_rod, around + plain_share * chroma_density(s.seen - s.plain, variance));
+    surroundings_[s.cell] += share * log_ratio(as_rod, s.around);
+    plain_[s.cell] += share * log_ratio(as_rod, s.around + plain_share * chroma_density(s.seen - s.plain, variance));
   }
   for (std::size_t c = 0; c < pixels.size(); ++c) {
     // A rod that is taken for nearer than it is does not see more.

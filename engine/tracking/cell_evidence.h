@@ -20,9 +20,9 @@ class CellEvidence {
   /// Over how much of the rod a plain thing is taken for plain: so little that a ring's own neighbourhood is, which is
   /// sharp in telling a blur, or a few rings, however many pixels they are.
   enum class Plain { close_by, some_rings };
-  /// Samples a picture (linear light, of the raster's size) and what the look predicts of it.
-  void sample(const cv::Mat& seen, Plain plain);
-  /// Weighs the samples. `spread`: standard deviation of a component of the chromaticity about what is predicted,
+  /// Samples a picture (linear light, of the raster's size) where the raster was last cast.
+  void see(const cv::Mat& seen, Plain plain);
+  /// Weighs what was seen against what the look, composed last, predicts. `spread`: standard deviation of a component of the chromaticity about what is predicted,
   /// beyond the sensor's noise; `any_ring`: the share of what shows on the rod that may be another ring than predicted.
   void weigh(float spread, float any_ring);
 
@@ -36,9 +36,10 @@ class CellEvidence {
 
  private:
   struct Sample {
+    int y, x;
     std::size_t cell;
-    Color seen, predicted, plain;
-    float noise;
+    Color seen, plain;
+    float noise, around;
   };
   std::span<const double> cells(const std::array<double, max_cells>& all) const {
     return {all.data(), static_cast<std::size_t>(raster_.rod().cell_count())};

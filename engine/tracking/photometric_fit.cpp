@@ -121,7 +121,7 @@ class Fitter {
     if (!inks_differ()) return false;
     result_.blur = camera_blur_.scaled(raster_.factor());
     result_.likelihood = result_.proof = -1e9;
-    evidence_.sample(seen_, CellEvidence::Plain::some_rings);
+    evidence_.see(seen_, CellEvidence::Plain::some_rings);
     for (const float spread : spreads) {
       evidence_.weigh(spread, 0);
       result_.proof = std::max(result_.proof, visible_or_covered(evidence_.against_plain()));
@@ -139,12 +139,15 @@ class Fitter {
   void blur_picture(double extra) {
     extra_ = extra;
     gaussian_blur(raster_.linear(), seen_, extra_);
+    look_.see(seen_, extra_);
   }
 
   // What lies out of the widest blur's reach counts for nothing.
   bool cast() {
     const double widest = near_ ? widest_near : std::abs(camera_blur_.sigma);
-    return raster_.cast(result_.pose, 2 + 2.5 * std::hypot(widest, extra_));
+    if (!raster_.cast(result_.pose, 2 + 2.5 * std::hypot(widest, extra_))) return false;
+    evidence_.see(seen_, CellEvidence::Plain::close_by);
+    return true;
   }
 
   // Before inks are known in linear light: the pixels whose ink is the one expected.
@@ -165,14 +168,13 @@ class Fitter {
   }
 
   bool reweigh() {
-    if (!look_.compose(seen_, weight_, camera_blur_, extra_)) return false;
+    if (!look_.compose(weight_, camera_blur_)) return false;
     weigh();
     return true;
   }
 
   // Tukey's biweight of each pixel's error, and what the errors come to.
   void weigh() {
-    evidence_.sample(seen_, CellEvidence::Plain::close_by);
     evidence_.weigh(inks_.spread(), may_be_any_ring);
     visible_probabilities(evidence_.against_plain(), visible_);
     errors_.clear();

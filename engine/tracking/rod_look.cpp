@@ -17,6 +17,8 @@ constexpr double widest_sharp = 2, widest_sharp_in_full = 1;
 // Of layers that are blurred each by its own, working pixels.
 constexpr double layer_gap = 0.7;
 constexpr int max_layers = 6;
+// Surroundings blurred by as much, working pixels, are found in a picture of a quarter of the size, else of half.
+constexpr double coarse_enough = 6;
 
 // Where this share of a pixel is rod, the pixel tells the rod's colour.
 constexpr float mostly_rod = 0.7F;
@@ -27,17 +29,26 @@ void local_mean(const cv::Mat& from, cv::Mat& to, double sigma) {
   cv::blur(from, to, cv::Size(side, side), cv::Point(-1, -1), cv::BORDER_REPLICATE);
 }
 
-// Spreads each pixel evenly over a disc with a standard deviation of `sigma` along each axis.
-void disc_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
-  const double radius = 2 * sigma;
-  const int reach = static_cast<int>(std::ceil(radius));
-  cv::Mat kernel(2 * reach + 1, 2 * reach + 1, CV_32F);
-  for (int y = -reach; y <= reach; ++y)
-    for (int x = -reach; x <= reach; ++x)
-      kernel.at<float>(y + reach, x + reach) =
-          static_cast<float>(std::clamp(radius + 0.5 - std::hypot(x, y), 0.0, 1.0));
-  kernel /= cv::sum(kernel)[0];
-  cv::filter2D(from, to, CV_32F, kernel, cv::Point(-1, -1), 0, cv::BORDER_REPLICATE);
+// Enlarges between the pixels, edges repeated, in `where` only.
+void enlarge(const cv::Mat& from, int factor, std::span<const PixelRun> where, cv::Mat& to, cv::Size size) {
+  to.create(size, CV_32FC4);
+  const auto place = [&](int at, int count) {
+    const float p = std::clamp((static_cast<float>(at) + 0.5F) / static_cast<float>(factor) - 0.5F, 0.0F,
+                               static_cast<float>(count - 1));
+    const int before = std::min(static_cast<int>(p), std::max(0, count - 2));
+    return std::pair{before, p - static_cast<float>(before)};
+  };
+  for (const PixelRun& run : where) {
+    const auto [y, below] = place(run.y, from.rows);
+    const auto *row = from.ptr<Pixel4>(y), *next = from.ptr<Pixel4>(std::min(y + 1, from.rows - 1));
+    auto* out = to.ptr<Pixel4>(run.y);
+    for (int u = run.x0; u < run.x1; ++u) {
+      const auto [x, right] = place(u, from.cols);
+      const int after = std::min(x + 1, from.cols - 1);
+      const Pixel4 above = row[x] * (1 - right) + row[after] * right;
+      out[u] = above * (1 - below) + (next[x] * (1 - right) + next[after] * right) * below;
+    }
+  }
 }
 
 // 0..255 of linear light.
@@ -51,7 +62,7 @@ float coded(float linear) {
     return t;
   }();
   // Even in the square root: dark colours are told apart as well as bright ones.
-  return table[static_cast<std::size_t>(std::lround(steps * std::sqrt(std::clamp(linear, 0.0F, 1.0F))))];
+  return table[static_cast<std::size_t>(steps * std::sqrt(std::clamp(linear, 0.0F, 1.0F)) + 0.5F)];
 }
 
 float sum(const Pixel3& p) {
@@ -83,23 +94,23 @@ void gaussian_blur(const cv::Mat& from, cv::Mat& to, double sigma) {
   cv::GaussianBlur(from, to, cv::Size(2 * reach + 1, 2 * reach + 1), sigma, sigma, cv::BORDER_REPLICATE);
 }
 
-void RodLook::blur_evenly(const cv::Mat& mix, double camera_blur, double extra_blur, cv::Mat& to) {
+void RodLook::blur_evenly(const cv::Mat& mix, double camera_blur, cv::Mat& to) {
   if (camera_blur < (raster_.detail() == RodRaster::Detail::full ? widest_sharp_in_full : widest_sharp)) {
-    gaussian_blur(mix, to, std::hypot(camera_blur, extra_blur));
+    gaussian_blur(mix, to, std::hypot(camera_blur, extra_blur_));
     return;
   }
-  disc_blur(mix, spread_, camera_blur);
-  gaussian_blur(spread_, to, extra_blur);
+  disc_.blur(mix, camera_blur, raster_.runs(), spread_);
+  gaussian_blur(spread_, to, extra_blur_);
 }
 
-double RodLook::blur_as_camera(const CameraBlur& camera_blur, double extra_blur) {
-  if (camera_blur.by_nearness != 0) return blur_by_depth(camera_blur, extra_blur);
-  blur_evenly(raster_.mix(), camera_blur.sigma, extra_blur, mix_);
+double RodLook::blur_as_camera(const CameraBlur& camera_blur) {
+  if (camera_blur.by_nearness != 0) return blur_by_depth(camera_blur);
+  blur_evenly(raster_.mix(), camera_blur.sigma, mix_);
   return camera_blur.sigma;
 }
 
 // Layers of one blur each; what lies between two is shared out to both.
-double RodLook::blur_by_depth(const CameraBlur& camera_blur, double extra_blur) {
+double RodLook::blur_by_depth(const CameraBlur& camera_blur) {
   double least = 1e9, most = 0;
   for (const auto& [y, x, i] : raster_.spots()) {
     if (raster_.mix().at<Pixel4>(y, x)[3] == 0 || !raster_.within_reach(i)) continue;
@@ -108,7 +119,7 @@ double RodLook::blur_by_depth(const CameraBlur& camera_blur, double extra_blur) 
     most = std::max(most, b);
   }
   if (most - least < 0.1) {
-    blur_evenly(raster_.mix(), most, extra_blur, mix_);
+    blur_evenly(raster_.mix(), most, mix_);
     return most;
   }
   const int gaps = std::clamp(static_cast<int>(std::lround((most - least) / layer_gap)), 1, max_layers - 1);
@@ -124,7 +135,7 @@ double RodLook::blur_by_depth(const CameraBlur& camera_blur, double extra_blur) 
       const double share = 1 - std::abs(place - l);
       if (share > 0) layer_.at<Pixel4>(y, x) = m * static_cast<float>(share);
     }
-    blur_evenly(layer_, least + l * gap, extra_blur, blurred);
+    blur_evenly(layer_, least + l * gap, blurred);
     if (l == 0)
       blurred.copyTo(mix_);
     else
@@ -133,20 +144,24 @@ double RodLook::blur_by_depth(const CameraBlur& camera_blur, double extra_blur) 
   return most;
 }
 
-bool RodLook::compose(const cv::Mat& seen, const cv::Mat& weight, const CameraBlur& camera_blur, double extra_blur) {
+void RodLook::see(const cv::Mat& seen, double extra_blur) {
   seen_ = seen;
+  extra_blur_ = extra_blur;
+  seen_.copyTo(picture_);
+}
+
+bool RodLook::compose(const cv::Mat& weight, const CameraBlur& camera_blur) {
   weight_ = weight;
-  const double widest = blur_as_camera(camera_blur, extra_blur);
-  find_surroundings(std::max(3.0, 1.2 * std::hypot(widest, extra_blur)));
+  const double widest = blur_as_camera(camera_blur);
+  find_surroundings(std::max(3.0, 1.2 * std::hypot(widest, extra_blur_)));
   if (!find_inks()) return false;
   find_veils();
   find_shading();
-  seen_.copyTo(picture_);
   known_.create(seen_.rows, seen_.cols, CV_8U);
   known_.setTo(0);
   for (const auto& [y, x, i] : raster_.spots()) {
     const Pixel4& m = mix_.at<Pixel4>(y, x);
-    const Pixel4& l = shading_.at<Pixel4>(y, x);
+    const cv::Vec2f& l = shading_.at<cv::Vec2f>(y, x);
     const bool surrounded = 1 - m[3] < 0.03F || outside_.at<Pixel4>(y, x)[3] > 1e-3F;
     const bool lit = m[3] < 0.03F || l[1] > 1e-5F;
     known_.at<std::uint8_t>(y, x) = surrounded && lit && raster_.within_reach(i);
@@ -156,12 +171,24 @@ bool RodLook::compose(const cv::Mat& seen, const cv::Mat& weight, const CameraBl
   return true;
 }
 
+// They are smooth: a fraction of the pixels tells them.
 void RodLook::find_surroundings(double sigma) {
-  cv::Mat outside;
-  cv::merge(std::array<cv::Mat, 2>{seen_, cv::Mat(seen_.rows, seen_.cols, CV_32F, cv::Scalar(1))}, outside);
-  for (const auto& [y, x, i] : raster_.spots())
-    if (mix_.at<Pixel4>(y, x)[3] >= 0.02F) outside.at<Pixel4>(y, x) = Pixel4(0, 0, 0, 0);
-  gaussian_blur(outside, outside_, sigma);
+  const int factor = sigma < coarse_enough ? 2 : 4;
+  const int rows = (seen_.rows + factor - 1) / factor, cols = (seen_.cols + factor - 1) / factor;
+  reduced_.create(rows, cols, CV_32FC4);
+  reduced_.setTo(0);
+  const float share = 1.0F / static_cast<float>(factor * factor);
+  for (int y = 0; y < seen_.rows; ++y) {
+    const auto* seen = seen_.ptr<Pixel3>(y);
+    const auto* mix = mix_.ptr<Pixel4>(y);
+    auto* to = reduced_.ptr<Pixel4>(y / factor);
+    for (int x = 0; x < seen_.cols; ++x)
+      if (mix[x][3] < 0.02F) to[x / factor] += Pixel4(seen[x][0], seen[x][1], seen[x][2], 1) * share;
+  }
+  // Reducing and enlarging blur too.
+  const double own = factor * factor / 4.0;
+  gaussian_blur(reduced_, reduced_, std::sqrt(sigma * sigma - own) / factor);
+  enlarge(reduced_, factor, raster_.runs(), outside_, seen_.size());
   rod_light_.create(seen_.rows, seen_.cols, CV_32FC3);
   for (const auto& [y, x, i] : raster_.spots()) rod_light_.at<Pixel3>(y, x) = seen_.at<Pixel3>(y, x) - behind(y, x);
 }
@@ -253,13 +280,14 @@ void RodLook::find_veils() {
 
 // Brightness against the inks, smooth over a few pixels: shade, highlights, and the two arms' own light.
 void RodLook::find_shading() {
-  cv::Mat ratio(seen_.rows, seen_.cols, CV_32FC4, cv::Scalar(0, 0, 0, 0));
+  ratio_.create(seen_.rows, seen_.cols, CV_32FC2);
+  ratio_.setTo(0);
   for (const auto& [y, x, i] : raster_.spots()) {
     if (mix_.at<Pixel4>(y, x)[3] <= mostly_rod) continue;
     const float w = weight_.at<float>(y, x) + 0.01F;
-    ratio.at<Pixel4>(y, x) = Pixel4(w * sum(rod_light_.at<Pixel3>(y, x)), w * sum(paint(y, x)), 0, 0);
+    ratio_.at<cv::Vec2f>(y, x) = {w * sum(rod_light_.at<Pixel3>(y, x)), w * sum(paint(y, x))};
   }
-  local_mean(ratio, shading_, 3.0);
+  local_mean(ratio_, shading_, 3.0);
 }
 
 }  // namespace onestroke

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracking/camera_blur.h"
+#include "tracking/disc_blur.h"
 #include "tracking/rod_raster.h"
 
 #include <array>
@@ -21,9 +22,11 @@ class RodLook {
   /// Borrowed; cast() is called before each compose().
   explicit RodLook(const RodRaster& raster) : raster_(raster) {}
 
-  /// `seen`: the raster's picture in linear light, blurred beyond the camera by `extra_blur`; `weight`: how far each
-  /// pixel is trusted to show the rod, CV_32F; blurs in working pixels. False where the inks cannot be told.
-  bool compose(const cv::Mat& seen, const cv::Mat& weight, const CameraBlur& camera_blur, double extra_blur);
+  /// The raster's picture in linear light, blurred beyond the camera by `extra_blur` working pixels. Borrowed.
+  void see(const cv::Mat& seen, double extra_blur);
+  /// `weight`: how far each pixel is trusted to show the rod, CV_32F; blur in working pixels. False where the inks cannot
+  /// be told.
+  bool compose(const cv::Mat& weight, const CameraBlur& camera_blur);
 
   /// Linear light, CV_32FC3; as seen, away from the rod's spots.
   const cv::Mat& picture() const { return picture_; }
@@ -34,9 +37,9 @@ class RodLook {
 
  private:
   // Both return the widest blur of the rod.
-  double blur_as_camera(const CameraBlur& camera_blur, double extra_blur);
-  double blur_by_depth(const CameraBlur& camera_blur, double extra_blur);
-  void blur_evenly(const cv::Mat& mix, double camera_blur, double extra_blur, cv::Mat& to);
+  double blur_as_camera(const CameraBlur& camera_blur);
+  double blur_by_depth(const CameraBlur& camera_blur);
+  void blur_evenly(const cv::Mat& mix, double camera_blur, cv::Mat& to);
   bool find_inks();
   void find_surroundings(double blur);
   void find_veils();
@@ -49,7 +52,9 @@ class RodLook {
   static constexpr std::size_t arms = 8;
 
   const RodRaster& raster_;
-  cv::Mat seen_, weight_, spread_, layer_, mix_, outside_, rod_light_, shading_, picture_, known_;
+  DiscBlur disc_;
+  double extra_blur_ = 0;
+  cv::Mat seen_, weight_, spread_, layer_, mix_, outside_, reduced_, rod_light_, ratio_, shading_, picture_, known_;
   std::array<cv::Vec3f, 3> inks_;
   std::array<float, arms> veil_{};  // By arm, the bends first.
   cv::Vec3f white_;

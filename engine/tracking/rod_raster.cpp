@@ -96,9 +96,14 @@ void RodRaster::find_spots(const EigenPose& about, int room) {
   cv::Mat mask(linear_.rows, linear_.cols, CV_8U, cv::Scalar(0));
   cv::polylines(mask, line, false, cv::Scalar(1), std::min(static_cast<int>(1.3 * thickness) + 2 * room, 250));
   spots_.clear();
+  runs_.clear();
   for (int y = 0; y < mask.rows; ++y)
-    for (int x = 0; x < mask.cols; ++x)
-      if (mask.at<std::uint8_t>(y, x)) spots_.push_back({y, x, static_cast<std::size_t>(y * mask.cols + x)});
+    for (int x = 0; x < mask.cols; ++x) {
+      if (!mask.at<std::uint8_t>(y, x)) continue;
+      spots_.push_back({y, x, static_cast<std::size_t>(y * mask.cols + x)});
+      if (runs_.empty() || runs_.back().y != y || runs_.back().x1 != x) runs_.push_back({y, x, x});
+      ++runs_.back().x1;
+    }
 }
 
 bool RodRaster::cast(const EigenPose& pose, double reach) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracking/image_view.h"
+#include "tracking/pixel_run.h"
 #include "tracking/rod_caster.h"
 
 #include <opencv2/core.hpp>
@@ -34,6 +35,8 @@ class RodRaster {
   };
   /// The pixels that the rod may come to cover or touch; the rest is surroundings.
   const std::vector<Spot>& spots() const { return spots_; }
+  /// The same, as runs along the rows.
+  const std::vector<PixelRun>& runs() const { return runs_; }
   /// The picture as coded, 0..255, and in linear light, 0..1: CV_32FC3.
   const cv::Mat& coded() const { return coded_; }
   const cv::Mat& linear() const { return linear_; }
@@ -67,6 +70,7 @@ class RodRaster {
   int factor_ = 1, left_ = 0, top_ = 0;
   cv::Mat coded_, linear_, mix_;
   std::vector<Spot> spots_;
+  std::vector<PixelRun> runs_;
   std::vector<Vec3d> rays_, points_;
   std::vector<std::uint8_t> near_, cell_, shown_;
 };
