@@ -44,8 +44,9 @@ constexpr double growth_sigma = 0.1;
 // Information that holds the growth at none.
 constexpr double no_growth = 1e12;
 
-// An ink shows more of its own channel than any other ink does, by this share at least.
-constexpr float min_ink_lead = 0.06F;
+// Free to choose its inks a fit may explain anything of one colour: they have to differ as inks do. An ink shows more of
+// its own channel than any other ink does, by this share at least; where a fit starts from, in the mean of all inks.
+constexpr float min_ink_lead = 0.06F, min_mean_lead_at_start = 0.05F;
 
 // Standard deviations of a chromaticity about what is predicted that are tried.
 constexpr std::array<float, 4> spreads{0.02F, 0.035F, 0.06F, 0.1F};
@@ -89,6 +90,7 @@ class Fitter {
       if (i == 0 && !first_weights()) return false;
       if (blur_unknown) find_blur(i);
       if (!reweigh()) return false;
+      if (i == 0 && ink_lead().mean < min_mean_lead_at_start) return false;
       Vector6d step;
       if (!solve(step)) return false;
       // Shading and weights follow the pose a step behind, so that steps come out short.
@@ -103,22 +105,33 @@ class Fitter {
     return cast() && reweigh() && result_.covariance.allFinite();
   }
 
-  // Free to choose its inks the fit may explain anything of one colour: they have to differ as inks do.
-  bool inks_differ() const {
+  struct InkLead {
+    float least = 1, mean = 1;
+  };
+  // How much more of its own channel each ink shows than another does, of those that were told.
+  InkLead ink_lead() const {
     std::array<Color, 3> found;
     for (std::size_t i = 0; i < 3; ++i) found[i] = chroma_of(look_.inks()[i]);
     const auto told = [&](std::size_t ink) { return cv::sum(look_.inks()[ink])[0] > 0.005; };
+    InkLead lead;
+    float sum = 0;
+    int count = 0;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) {
+        if (i == j || !told(i) || !told(j)) continue;
         const auto own = static_cast<Eigen::Index>(i);
-        if (i != j && told(i) && told(j) && found[i][own] < found[j][own] + min_ink_lead) return false;
+        const float here = found[i][own] - found[j][own];
+        lead.least = std::min(lead.least, here);
+        sum += here;
+        ++count;
       }
-    return true;
+    if (count > 0) lead.mean = sum / static_cast<float>(count);
+    return lead;
   }
 
   // How far colours scatter about what is predicted is the picture's own: the likeliest.
   bool score() {
-    if (!inks_differ()) return false;
+    if (ink_lead().least < min_ink_lead) return false;
     result_.blur = camera_blur_.scaled(raster_.factor());
     result_.likelihood = result_.proof = -1e9;
     evidence_.see(seen_, CellEvidence::Plain::some_rings);
