@@ -12,6 +12,8 @@ using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
 constexpr double samples_per_cell = 2;
+// Working pixels: so many tell as much as a cell seen in full, however many that one has.
+constexpr double pixels_of_a_cell = 130;
 // How common plain things are where a rod may be, and the square over which they are plain: working pixels, and rods'
 // thicknesses where a thick rod is not reduced.
 constexpr float plain_share = 0.2F;
@@ -54,7 +56,7 @@ void CellEvidence::see(const cv::Mat& seen, Plain plain_over) {
 void CellEvidence::weigh(float spread, float any_ring) {
   const RodModel& rod = raster_.rod();
   const double scale = around_.pixels_per_mm() / raster_.factor();
-  const double share = samples_per_cell / (2 * rod.radius() * rod.pitch() * scale * scale);
+  const double share = samples_per_cell / std::min(2 * rod.radius() * rod.pitch() * scale * scale, pixels_of_a_cell);
   std::array<double, max_cells> pixels{};
   surroundings_.fill(0);
   plain_.fill(0);

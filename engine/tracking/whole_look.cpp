@@ -35,7 +35,7 @@ constexpr int rivals_an_arm = 3;
 constexpr std::size_t max_around = 6;
 // Nats within which ways of holding the rod are contested, where the arm that shows least is no more than half
 // covered (a covered one costs four), and how many are.
-constexpr double worth_contesting = 12, half_covered = -2;
+constexpr double worth_contesting = 12, half_covered = -3.5;
 constexpr std::size_t max_contested = 4;
 // Nats that are more than chance between two poses near one another.
 constexpr double clearly = 2;
