@@ -20,6 +20,9 @@ constexpr int max_layers = 6;
 // Surroundings blurred by as much, working pixels, are found in a picture of a quarter of the size, else of half.
 constexpr double coarse_enough = 6;
 
+// Of what the arm that shows most of each ink shows of it: what less shows is mixed from narrow rings.
+constexpr double enough_to_tell = 0.15;
+
 // Where this share of a pixel is rod, the pixel tells the rod's colour.
 constexpr float mostly_rod = 0.7F;
 
@@ -218,8 +221,10 @@ bool RodLook::find_inks() {
     n.b += w * v * Eigen::RowVector3d(c[0], c[1], c[2]);
   }
   std::size_t purest = 0;
-  double purity = 0;
+  double purity = 0, most = 0;
+  for (std::size_t i = 1; i < arms; ++i) most = std::max(most, by_arm[i].a.diagonal().minCoeff());
   for (std::size_t i = 1; i < arms; ++i) {
+    if (by_arm[i].a.diagonal().minCoeff() < enough_to_tell * most) continue;
     const double here = purity_of(by_arm[i].a, by_arm[i].b);
     if (here > purity) {
       purity = here;

@@ -14,8 +14,9 @@ constexpr double worth_fitting = 18, worth_fitting_more = 30, worth_looking_besi
 // Fits of a marker's likeliest candidates that tell whether more of them are worth it.
 constexpr std::size_t enough_to_tell = 3;
 // Nats. Of what is believed: the likelihood, that of each straight arm (one that shows nothing proves no roll), the
-// lead over any other way of holding the rod, and the proof against a plain thing.
-constexpr double min_likelihood = 55, min_arm = 1, min_margin = 6, min_proof = 60;
+// lead over any other way of holding the rod, one with which no roll needs to be looked for any more, and the proof
+// against a plain thing.
+constexpr double min_likelihood = 55, min_arm = 1, min_margin = 6, clear_margin = 20, min_proof = 60;
 // Of the cells that are believed in, one in eight may show a wrong ink.
 constexpr int min_agreeing = 12, agreeing_per_contradiction = 8;
 // Where more of them do, no other way of holding the rod will mend it.
@@ -50,8 +51,8 @@ bool turned_like_one_of(const std::vector<EigenPose>& poses, const EigenPose& po
                      [&](const EigenPose& p) { return angle_between(p, pose) < same_turn; });
 }
 
-bool contradicted(const Detection& d) {
-  return agreeing_per_contradiction_at_all * d.appearance.contradicts > d.appearance.agrees;
+bool contradicted(const Appearance& a) {
+  return agreeing_per_contradiction_at_all * a.contradicts > a.agrees;
 }
 
 }  // namespace
@@ -85,10 +86,31 @@ struct WholeLook::Fits {
   // A pose once more, now that the rod is sure to be there. None where nothing near by is clearly likelier.
   std::optional<PhotometricFit> settled(const EigenPose& pose, const Inks& inks) const {
     const PhotometricFit near = fit(pose, inks, {.near = true});
-    if (!near.valid || angle_between(near.pose, pose) > same_turn) return {};
+    if (!near.valid || angle_between(near.pose, pose) > apart) return {};
     const PhotometricFit before = fit(pose, inks, {false, near.blur, true});
     if (before.valid && near.likelihood < before.likelihood + clearly) return {};
     return near;
+  }
+
+  // Ways of holding the rod that show wrong inks are not what is seen, however likely the rest of them. One is left.
+  void drop_contradicted() {
+    const auto wrong = [&](const Fit& f) {
+      return contradicted(assess(image, look.intrinsics_, rod, f.inks, f.pose));
+    };
+    std::erase_if(measured, wrong);
+    const auto first = std::find_if_not(all.begin(), all.end(), wrong);
+    if (first == all.end()) return;
+    all.erase(all.begin(), first);
+    all.erase(std::remove_if(all.begin() + 1, all.end(), wrong), all.end());
+  }
+
+  // How much likelier the best is than any other way of holding the rod.
+  double lead() const {
+    double least = lead_over_rest;
+    for (const Fit& f : all)
+      if (angle_between(f.pose, all.front().pose) > far_apart)
+        least = std::min(least, all.front().likelihood - f.likelihood);
+    return least;
   }
 
   // The best fit once more. False where it stays.
@@ -109,7 +131,10 @@ struct WholeLook::Fits {
     std::vector<EigenPose> tried;
     std::vector<Fit> contested;
     for (const Fit& f : ways) {
-      if (f.likelihood < enough || tried.size() == max_contested) break;
+      if (f.likelihood < enough || tried.size() == max_contested) {
+        lead_over_rest = best.likelihood - f.likelihood;
+        break;
+      }
       if (turned_like_one_of(tried, f.pose)) continue;
       tried.push_back(f.pose);
       const PhotometricFit near = fit(f.pose, f.inks, {.near = true});
@@ -141,7 +166,8 @@ struct WholeLook::Fits {
   const ImageView& image;
   Surroundings around;
   std::vector<Fit> all;
-  std::vector<Fit> measured;  // Taken as they are; their covariance is not known.
+  std::vector<Fit> measured;    // Taken as they are; their covariance is not known.
+  double lead_over_rest = 1e9;  // Of what was not contested.
 };
 
 const ImageView& WholeLook::level_for(const RodModel& rod, const EigenPose& pose) const {
@@ -245,10 +271,11 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
     if (fits.rod.has_roll()) fits.add(mirrored(fits.rod, fits.all.front().pose), fits.all.front().inks);
     if (angle_between(before, fits.all.front().pose) < 0.01) break;
   }
+  fits.drop_contradicted();
   detection = measure(fits);
   const bool before = believed(fits, detection);
   if (is_small(fits.rod, fits.all.front().pose)) return before;
-  if (before ? !fits.settle() : contradicted(detection) || hopeless(detection) || !fits.contest()) return before;
+  if (before ? !fits.settle() : contradicted(detection.appearance) || hopeless(detection) || !fits.contest()) return before;
   detection = measure(fits);
   return before || believed(fits, detection);
 }
@@ -273,14 +300,12 @@ void WholeLook::fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& cand
 bool WholeLook::believed(const Fits& fits, const Detection& d) {
   const Fits::Fit& best = fits.all.front();
   if (best.likelihood < min_likelihood || best.proof < min_proof) return false;
-  const bool rival = std::any_of(fits.all.begin(), fits.all.end(), [&](const Fits::Fit& f) {
-    return angle_between(f.pose, best.pose) > far_apart && f.likelihood > best.likelihood - min_margin;
-  });
-  if (rival) return false;
+  const double lead = fits.lead();
+  if (lead < min_margin) return false;
   const Appearance& a = d.appearance;
   if (a.agrees < min_agreeing || agreeing_per_contradiction * a.contradicts > a.agrees) return false;
   if (!fits.rod.has_roll()) return true;
-  return best.weakest_arm > min_arm && roll_margin(fits.meter(d.inks), best.pose) > 0;
+  return best.weakest_arm > min_arm && (lead > clear_margin || roll_margin(fits.meter(d.inks), best.pose) > 0);
 }
 
 void WholeLook::settle_rivals(std::vector<Detection>& proven) const {
