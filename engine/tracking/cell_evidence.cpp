@@ -12,8 +12,9 @@ using Pixel3 = cv::Vec3f;
 using Pixel4 = cv::Vec4f;
 
 constexpr double samples_per_cell = 2;
-// Working pixels: so many tell as much as a cell seen in full, however many that one has.
-constexpr double pixels_of_a_cell = 130;
+// Working pixels: so many tell as much as a cell seen in full, however many that one has. Those that the camera blurs
+// into one another tell the same: times its variance.
+constexpr double pixels_of_a_cell = 130, pixels_of_a_blur = 25;
 // How common plain things are where a rod may be, and the square over which they are plain: working pixels, and rods'
 // thicknesses where a thick rod is not reduced.
 constexpr float plain_share = 0.2F;
@@ -54,9 +55,29 @@ void CellEvidence::see(const cv::Mat& seen, Plain plain_over) {
 }
 
 void CellEvidence::weigh(float spread, float any_ring) {
+  std::array<double, max_cells> share;
+  share.fill(samples_per_cell / pixels_in_full());
+  weigh(spread, any_ring, share);
+}
+
+void CellEvidence::weigh_parts(float spread, const EigenPose& pose, const CameraBlur& blur) {
+  std::array<double, max_cells> share;
+  const RodModel& rod = raster_.rod();
+  for (int c = 0; c < rod.cell_count(); ++c) {
+    const double sigma = blur.at((pose * rod.middle(c).centre).z());
+    const double enough = std::max(pixels_of_a_cell, pixels_of_a_blur * sigma * sigma);
+    share[static_cast<std::size_t>(c)] = samples_per_cell / std::min(pixels_in_full(), enough);
+  }
+  weigh(spread, 0, share);
+}
+
+double CellEvidence::pixels_in_full() const {
   const RodModel& rod = raster_.rod();
   const double scale = around_.pixels_per_mm() / raster_.factor();
-  const double share = samples_per_cell / std::min(2 * rod.radius() * rod.pitch() * scale * scale, pixels_of_a_cell);
+  return 2 * rod.radius() * rod.pitch() * scale * scale;
+}
+
+void CellEvidence::weigh(float spread, float any_ring, const std::array<double, max_cells>& share) {
   std::array<double, max_cells> pixels{};
   surroundings_.fill(0);
   plain_.fill(0);
@@ -67,12 +88,12 @@ void CellEvidence::weigh(float spread, float any_ring) {
     if (any_ring > 0)
       for (const Color& ink : inks_.chroma) as_rod += any_ring / 3 * chroma_density(s.seen - ink, variance);
     ++pixels[s.cell];
-    surroundings_[s.cell] += share * log_ratio(as_rod, s.around);
-    plain_[s.cell] += share * log_ratio(as_rod, s.around + plain_share * chroma_density(s.seen - s.plain, variance));
+    surroundings_[s.cell] += share[s.cell] * log_ratio(as_rod, s.around);
+    plain_[s.cell] += share[s.cell] * log_ratio(as_rod, s.around + plain_share * chroma_density(s.seen - s.plain, variance));
   }
   for (std::size_t c = 0; c < pixels.size(); ++c) {
     // A rod that is taken for nearer than it is does not see more.
-    const double excess = std::max(1.0, share / samples_per_cell * pixels[c]);
+    const double excess = std::max(1.0, share[c] / samples_per_cell * pixels[c]);
     surroundings_[c] /= excess;
     plain_[c] /= excess;
   }

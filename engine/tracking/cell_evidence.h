@@ -25,6 +25,9 @@ class CellEvidence {
   /// Weighs what was seen against what the look, composed last, predicts. `spread`: standard deviation of a component of the chromaticity about what is predicted,
   /// beyond the sensor's noise; `any_ring`: the share of what shows on the rod that may be another ring than predicted.
   void weigh(float spread, float any_ring);
+  /// The same of a pose that is fitted; a small part of a cell, as of a ring seen from its end, tells as much as a whole
+  /// cell where it has pixels enough.
+  void weigh_parts(float spread, const EigenPose& pose, const CameraBlur& blur);
 
   /// By cell: something else being the surroundings.
   std::span<const double> against_surroundings() const { return cells(surroundings_); }
@@ -41,6 +44,8 @@ class CellEvidence {
     Color seen, plain;
     float noise, around;
   };
+  double pixels_in_full() const;
+  void weigh(float spread, float any_ring, const std::array<double, max_cells>& share);
   std::span<const double> cells(const std::array<double, max_cells>& all) const {
     return {all.data(), static_cast<std::size_t>(raster_.rod().cell_count())};
   }

@@ -136,7 +136,7 @@ class Fitter {
     result_.likelihood = result_.proof = -1e9;
     evidence_.see(seen_, CellEvidence::Plain::some_rings);
     for (const float spread : spreads) {
-      evidence_.weigh(spread, 0);
+      evidence_.weigh_parts(spread, result_.pose, camera_blur_);
       result_.proof = std::max(result_.proof, visible_or_covered(evidence_.against_plain()));
       const double here = visible_or_covered(evidence_.against_surroundings());
       if (here <= result_.likelihood) continue;
