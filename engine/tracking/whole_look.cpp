@@ -92,24 +92,26 @@ struct WholeLook::Fits {
     return near;
   }
 
-  // Ways of holding the rod that show wrong inks are not what is seen, however likely the rest of them. One is left.
+  // Ways of holding the rod that show wrong inks are not what is seen, however likely the rest of them: they only cast
+  // doubt on the others. One is left.
   void drop_contradicted() {
-    const auto wrong = [&](const Fit& f) {
-      return contradicted(assess(image, look.intrinsics_, rod, f.inks, f.pose));
+    const auto right = [&](const Fit& f) {
+      return !contradicted(assess(image, look.intrinsics_, rod, f.inks, f.pose));
     };
-    std::erase_if(measured, wrong);
-    const auto first = std::find_if_not(all.begin(), all.end(), wrong);
-    if (first == all.end()) return;
-    all.erase(all.begin(), first);
-    all.erase(std::remove_if(all.begin() + 1, all.end(), wrong), all.end());
+    const auto wrong = std::stable_partition(all.begin(), all.end(), right);
+    if (wrong == all.begin()) return;
+    dropped.assign(wrong, all.end());
+    all.erase(wrong, all.end());
+    std::erase_if(measured, [&](const Fit& f) { return !right(f); });
   }
 
   // How much likelier the best is than any other way of holding the rod.
   double lead() const {
     double least = lead_over_rest;
-    for (const Fit& f : all)
-      if (angle_between(f.pose, all.front().pose) > far_apart)
-        least = std::min(least, all.front().likelihood - f.likelihood);
+    for (const std::vector<Fit>* ways : {&all, &dropped})
+      for (const Fit& f : *ways)
+        if (angle_between(f.pose, all.front().pose) > far_apart)
+          least = std::min(least, all.front().likelihood - f.likelihood);
     return least;
   }
 
@@ -166,6 +168,7 @@ struct WholeLook::Fits {
   const ImageView& image;
   Surroundings around;
   std::vector<Fit> all;
+  std::vector<Fit> dropped;
   std::vector<Fit> measured;    // Taken as they are; their covariance is not known.
   double lead_over_rest = 1e9;  // Of what was not contested.
 };
