@@ -17,8 +17,6 @@ constexpr double widest_sharp = 2, widest_sharp_in_full = 1;
 // Of layers that are blurred each by its own, working pixels.
 constexpr double layer_gap = 0.7;
 constexpr int max_layers = 6;
-// Surroundings blurred by as much, working pixels, are found in a picture of a quarter of the size, else of half.
-constexpr double coarse_enough = 6;
 
 // Of what the arm that shows most of each ink shows of it: what less shows is mixed from narrow rings.
 constexpr double enough_to_tell = 0.15;
@@ -30,28 +28,6 @@ constexpr float mostly_rod = 0.7F;
 void local_mean(const cv::Mat& from, cv::Mat& to, double sigma) {
   const int side = 2 * static_cast<int>(std::lround(1.7 * sigma)) + 1;
   cv::blur(from, to, cv::Size(side, side), cv::Point(-1, -1), cv::BORDER_REPLICATE);
-}
-
-// Enlarges between the pixels, edges repeated, in `where` only.
-void enlarge(const cv::Mat& from, int factor, std::span<const PixelRun> where, cv::Mat& to, cv::Size size) {
-  to.create(size, CV_32FC4);
-  const auto place = [&](int at, int count) {
-    const float p = std::clamp((static_cast<float>(at) + 0.5F) / static_cast<float>(factor) - 0.5F, 0.0F,
-                               static_cast<float>(count - 1));
-    const int before = std::min(static_cast<int>(p), std::max(0, count - 2));
-    return std::pair{before, p - static_cast<float>(before)};
-  };
-  for (const PixelRun& run : where) {
-    const auto [y, below] = place(run.y, from.rows);
-    const auto *row = from.ptr<Pixel4>(y), *next = from.ptr<Pixel4>(std::min(y + 1, from.rows - 1));
-    auto* out = to.ptr<Pixel4>(run.y);
-    for (int u = run.x0; u < run.x1; ++u) {
-      const auto [x, right] = place(u, from.cols);
-      const int after = std::min(x + 1, from.cols - 1);
-      const Pixel4 above = row[x] * (1 - right) + row[after] * right;
-      out[u] = above * (1 - below) + (next[x] * (1 - right) + next[after] * right) * below;
-    }
-  }
 }
 
 // 0..255 of linear light.
@@ -174,24 +150,16 @@ bool RodLook::compose(const cv::Mat& weight, const CameraBlur& camera_blur) {
   return true;
 }
 
-// They are smooth: a fraction of the pixels tells them.
 void RodLook::find_surroundings(double sigma) {
-  const int factor = sigma < coarse_enough ? 2 : 4;
-  const int rows = (seen_.rows + factor - 1) / factor, cols = (seen_.cols + factor - 1) / factor;
-  reduced_.create(rows, cols, CV_32FC4);
-  reduced_.setTo(0);
-  const float share = 1.0F / static_cast<float>(factor * factor);
+  uncovered_.create(seen_.rows, seen_.cols, CV_32FC4);
   for (int y = 0; y < seen_.rows; ++y) {
     const auto* seen = seen_.ptr<Pixel3>(y);
     const auto* mix = mix_.ptr<Pixel4>(y);
-    auto* to = reduced_.ptr<Pixel4>(y / factor);
+    auto* to = uncovered_.ptr<Pixel4>(y);
     for (int x = 0; x < seen_.cols; ++x)
-      if (mix[x][3] < 0.02F) to[x / factor] += Pixel4(seen[x][0], seen[x][1], seen[x][2], 1) * share;
+      to[x] = mix[x][3] < 0.02F ? Pixel4(seen[x][0], seen[x][1], seen[x][2], 1) : Pixel4(0, 0, 0, 0);
   }
-  // Reducing and enlarging blur too.
-  const double own = factor * factor / 4.0;
-  gaussian_blur(reduced_, reduced_, std::sqrt(sigma * sigma - own) / factor);
-  enlarge(reduced_, factor, raster_.runs(), outside_, seen_.size());
+  gaussian_blur(uncovered_, outside_, sigma);
   rod_light_.create(seen_.rows, seen_.cols, CV_32FC3);
   for (const auto& [y, x, i] : raster_.spots()) rod_light_.at<Pixel3>(y, x) = seen_.at<Pixel3>(y, x) - behind(y, x);
 }

@@ -54,7 +54,7 @@ class RodLook {
   const RodRaster& raster_;
   DiscBlur disc_;
   double extra_blur_ = 0;
-  cv::Mat seen_, weight_, spread_, layer_, mix_, outside_, reduced_, rod_light_, ratio_, shading_, picture_, known_;
+  cv::Mat seen_, weight_, spread_, layer_, mix_, uncovered_, outside_, rod_light_, ratio_, shading_, picture_, known_;
   std::array<cv::Vec3f, 3> inks_;
   std::array<float, arms> veil_{};  // By arm, the bends first.
   cv::Vec3f white_;
