@@ -89,7 +89,8 @@ void CellEvidence::weigh(float spread, float any_ring, const std::array<double, 
       for (const Color& ink : inks_.chroma) as_rod += any_ring / 3 * chroma_density(s.seen - ink, variance);
     ++pixels[s.cell];
     surroundings_[s.cell] += share[s.cell] * log_ratio(as_rod, s.around);
-    plain_[s.cell] += share[s.cell] * log_ratio(as_rod, s.around + plain_share * chroma_density(s.seen - s.plain, variance));
+    plain_[s.cell] +=
+        share[s.cell] * log_ratio(as_rod, s.around + plain_share * chroma_density(s.seen - s.plain, variance));
   }
   for (std::size_t c = 0; c < pixels.size(); ++c) {
     // A rod that is taken for nearer than it is does not see more.

@@ -22,11 +22,12 @@ class CellEvidence {
   enum class Plain { close_by, some_rings };
   /// Samples a picture (linear light, of the raster's size) where the raster was last cast.
   void see(const cv::Mat& seen, Plain plain);
-  /// Weighs what was seen against what the look, composed last, predicts. `spread`: standard deviation of a component of the chromaticity about what is predicted,
-  /// beyond the sensor's noise; `any_ring`: the share of what shows on the rod that may be another ring than predicted.
+  /// Weighs what was seen against what the look, composed last, predicts. `spread`: standard deviation of a component
+  /// of the chromaticity about what is predicted, beyond the sensor's noise; `any_ring`: the share of what shows on the
+  /// rod that may be another ring than predicted.
   void weigh(float spread, float any_ring);
-  /// The same of a pose that is fitted; a small part of a cell, as of a ring seen from its end, tells as much as a whole
-  /// cell where it has pixels enough.
+  /// The same of a pose that is fitted; a small part of a cell, as of a ring seen from its end, tells as much as a
+  /// whole cell where it has pixels enough.
   void weigh_parts(float spread, const EigenPose& pose, const CameraBlur& blur);
 
   /// By cell: something else being the surroundings.

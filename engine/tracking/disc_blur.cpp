@@ -45,8 +45,7 @@ void DiscBlur::blur(const cv::Mat& from, double sigma, std::span<const PixelRun>
         cv::v_store(out + 4 * static_cast<std::ptrdiff_t>(x), sum);
       }
     }
-    for (int x = run.x0; x < run.x1; ++x)
-      cv::v_store(out + 4 * static_cast<std::ptrdiff_t>(x), at(out, x) * scale);
+    for (int x = run.x0; x < run.x1; ++x) cv::v_store(out + 4 * static_cast<std::ptrdiff_t>(x), at(out, x) * scale);
   }
 }
 

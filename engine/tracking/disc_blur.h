@@ -9,9 +9,9 @@
 
 namespace onestroke {
 
-/// Spreads each pixel evenly over a disc, as defocus does; the disc's rim is smooth over a pixel. By sums along the rows
-/// of the disc, so that it costs a disc's height a pixel, not its area. Keeps its buffers from call to call; used by one
-/// thread.
+/// Spreads each pixel evenly over a disc, as defocus does; the disc's rim is smooth over a pixel. By sums along the
+/// rows of the disc, so that it costs a disc's height a pixel, not its area. Keeps its buffers from call to call; used
+/// by one thread.
 class DiscBlur {
  public:
   /// `from`: CV_32FC4, its edges repeated; `to`: of the same size, blurred in `where`, 0 elsewhere; `sigma`: the disc's

@@ -44,8 +44,8 @@ constexpr double growth_sigma = 0.1;
 // Information that holds the growth at none.
 constexpr double no_growth = 1e12;
 
-// Free to choose its inks a fit may explain anything of one colour: they have to differ as inks do. An ink shows more of
-// its own channel than any other ink does, by this share at least; where a fit starts from, in the mean of all inks.
+// Free to choose its inks a fit may explain anything of one colour: they have to differ as inks do. An ink shows more
+// of its own channel than any other ink does, by this share at least; where a fit starts from, in the mean of all inks.
 constexpr float min_ink_lead = 0.06F, min_mean_lead_at_start = 0.05F;
 
 // Standard deviations of a chromaticity about what is predicted that are tried.

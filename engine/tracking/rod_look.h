@@ -24,8 +24,8 @@ class RodLook {
 
   /// The raster's picture in linear light, blurred beyond the camera by `extra_blur` working pixels. Borrowed.
   void see(const cv::Mat& seen, double extra_blur);
-  /// `weight`: how far each pixel is trusted to show the rod, CV_32F; blur in working pixels. False where the inks cannot
-  /// be told.
+  /// `weight`: how far each pixel is trusted to show the rod, CV_32F; blur in working pixels. False where the inks
+  /// cannot be told.
   bool compose(const cv::Mat& weight, const CameraBlur& camera_blur);
 
   /// Linear light, CV_32FC3; as seen, away from the rod's spots.

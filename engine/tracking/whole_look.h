@@ -2,7 +2,7 @@
 
 #include "tracking/detection.h"
 #include "tracking/levels.h"
-#include "tracking/photometric_fit.h"
+#include "tracking/look_fits.h"
 
 #include <functional>
 #include <vector>
@@ -17,10 +17,10 @@ class WholeLook {
   WholeLook(const Levels& levels, const Intrinsics& intrinsics, const std::vector<RodModel>& rods)
       : levels_(levels), intrinsics_(intrinsics), rods_(rods) {}
 
-  /// Fits the likeliest of a marker's candidates (one at least, best first), `max_fits` of them, then looks beside the
-  /// best; what is likely but not sure is fitted again in full detail with its rivals, unless it is `hopeless` by what
-  /// else is known, as that takes seconds. False where it is not likely enough, or another way of holding the rod is
-  /// nearly as likely; the detection then tells what was found nevertheless, its likelihood being 0 where that is
+  /// LookFits the likeliest of a marker's candidates (one at least, best first), `max_fits` of them, then looks beside
+  /// the best; what is likely but not sure is fitted again in full detail with its rivals, unless it is `hopeless` by
+  /// what else is known, as that takes seconds. False where it is not likely enough, or another way of holding the rod
+  /// is nearly as likely; the detection then tells what was found nevertheless, its likelihood being 0 where that is
   /// nothing.
   bool prove(const std::vector<PoseCandidate>& candidates, std::size_t max_fits,
              const std::function<bool(const Detection&)>& hopeless, Detection& detection) const;
@@ -36,16 +36,13 @@ class WholeLook {
   bool settle(Detection& detection) const;
 
  private:
-  struct Fits;
-  const ImageView& level_for(const RodModel& rod, const EigenPose& pose) const;
-  static void fit_likeliest(Fits& fits, const std::vector<PoseCandidate>& candidates, std::size_t max_fits);
-  static bool believed(const Fits& fits, const Detection& detection);
-  static std::vector<PoseCandidate> climb_all(const Fits& fits, const std::vector<PoseCandidate>& candidates);
+  LookFits fits_of(int marker, const EigenPose& about) const;
+  static void fit_likeliest(LookFits& fits, const std::vector<PoseCandidate>& candidates, std::size_t max_fits);
+  static std::vector<PoseCandidate> climb_all(const LookFits& fits, const std::vector<PoseCandidate>& candidates);
   bool is_small(const RodModel& rod, const EigenPose& pose) const;
-  void look_around(Fits& fits) const;
-  void look_beside(Fits& fits) const;
-  void add_rivals(Fits& fits, const Detection& detection) const;
-  Detection measure(const Fits& fits) const;
+  void look_around(LookFits& fits) const;
+  void look_beside(LookFits& fits) const;
+  void add_rivals(LookFits& fits, const Detection& detection) const;
 
   const Levels& levels_;
   const Intrinsics& intrinsics_;
