@@ -14,7 +14,7 @@ using Pixel4 = cv::Vec4f;
 constexpr double samples_per_cell = 2;
 // Working pixels: so many tell as much as a cell seen in full, however many that one has. Those that the camera blurs
 // into one another tell the same: times its variance.
-constexpr double pixels_of_a_cell = 130, pixels_of_a_blur = 25;
+constexpr double pixels_of_a_cell = 250, pixels_of_a_blur = 25;
 // How common plain things are where a rod may be, and the square over which they are plain: working pixels, and rods'
 // thicknesses where a thick rod is not reduced.
 constexpr float plain_share = 0.2F;

@@ -19,7 +19,7 @@ constexpr double layer_gap = 0.7;
 constexpr int max_layers = 6;
 
 // Of what the arm that shows most of each ink shows of it: what less shows is mixed from narrow rings.
-constexpr double enough_to_tell = 0.15;
+constexpr double enough_to_tell = 0.08;
 
 // Where this share of a pixel is rod, the pixel tells the rod's colour.
 constexpr float mostly_rod = 0.7F;
