@@ -126,7 +126,7 @@ bool WholeLook::prove(const std::vector<PoseCandidate>& candidates, std::size_t 
   return before || fits.believed(detection);
 }
 
-// LookFits the candidates that the meter finds likeliest, once each.
+// Fits the candidates that the meter finds likeliest, once each.
 void WholeLook::fit_likeliest(LookFits& fits, const std::vector<PoseCandidate>& candidates, std::size_t max_fits) {
   const std::vector<PoseCandidate> climbed = climb_all(fits, candidates);
   if (climbed.front().likelihood < worth_fitting) return;

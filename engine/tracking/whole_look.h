@@ -17,7 +17,7 @@ class WholeLook {
   WholeLook(const Levels& levels, const Intrinsics& intrinsics, const std::vector<RodModel>& rods)
       : levels_(levels), intrinsics_(intrinsics), rods_(rods) {}
 
-  /// LookFits the likeliest of a marker's candidates (one at least, best first), `max_fits` of them, then looks beside
+  /// Fits the likeliest of a marker's candidates (one at least, best first), `max_fits` of them, then looks beside
   /// the best; what is likely but not sure is fitted again in full detail with its rivals, unless it is `hopeless` by
   /// what else is known, as that takes seconds. False where it is not likely enough, or another way of holding the rod
   /// is nearly as likely; the detection then tells what was found nevertheless, its likelihood being 0 where that is
