@@ -49,7 +49,7 @@ bool same_words(std::string a, std::string b) {
 ModelShelf::ModelShelf(const Catalog& catalog, const std::filesystem::path& folder, Renderer& renderer) {
   std::map<std::string, Loaded> loaded;
   for (const MarkerSpec& marker : catalog.markers) {
-    ShelfEntry entry{.marker_id = marker.id, .model = {}, .rod = renderer.load(rod_mesh(marker.shape))};
+    ShelfEntry entry{.marker_id = marker.id, .model = {}, .corners = marker.shape.vertices(), .rod = renderer.load(rod_mesh(marker.shape))};
     CarriedModel carried{marker.id, {}};
     if (!marker.model.empty()) {
       auto at = loaded.find(marker.model);

@@ -19,7 +19,8 @@ struct ShelfEntry {
   glm::mat4 marker_graphics_from_model{1};
   /// No part of the model is farther from anchor_pivot, mm.
   double reach = 0;
-  ModelHandle rod{};  ///< In the marker's frame, graphics axes; an occluder.
+  std::vector<Vec3> corners;  ///< Of the rod's straight axes, tip to tip; marker frame, mm.
+  ModelHandle rod{};          ///< In the marker's frame, graphics axes; an occluder.
 };
 
 /// The models of a catalogue, taken to the GPU at start-up.

@@ -12,8 +12,6 @@
 namespace onestroke {
 namespace {
 
-constexpr double usual_distance = 500;  // mm; where no marker says otherwise
-constexpr Duration distance_settles = Duration::from_ms(200);
 constexpr double axis_length = 40;  // mm
 constexpr Color leader_color{0.9F, 0.92F, 0.95F, 0.55F};
 constexpr Color leading_plate{0.01F, 0.06F, 0.16F, 0.85F};
@@ -31,12 +29,11 @@ Color faded(Color color, double opacity) {
 
 }  // namespace
 
-TwoHands::TwoHands(const ModelShelf& shelf) : shelf_(shelf), comparison_(shelf.carried()) {}
+TwoHands::TwoHands(const ModelShelf& shelf) : shelf_(shelf), comparison_(shelf.carried()), picture_depth_(shelf) {}
 
 const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::span<const View> views,
                                    std::string_view status) {
   comparison_.update(record, now);
-  ease_distance(record, now);
   instance_count_ = line_count_ = label_count_ = text_count_ = 0;
   add_sticks(record);
   for (const HandView& hand : comparison_.view().hands) {
@@ -48,28 +45,12 @@ const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::spa
     add_labels(views.front());
     if (words_) add_words(views.front(), status);
   }
-  scene_.passthrough_distance = distance_;
+  scene_.passthrough_segments = picture_depth_.update(record, now);
   scene_.instances = {instances_.data(), instance_count_};
   scene_.lines = {lines_.data(), line_count_};
   scene_.labels = {labels_.data(), label_count_};
   scene_.hud = {texts_.data(), text_count_};
   return scene_;
-}
-
-// The picture lies as deep as the sticks do, so that there is no parallax where the hands are.
-void TwoHands::ease_distance(const FrameRecord& record, Time now) {
-  double sum = 0;
-  int count = 0;
-  for (const MarkerObservation& m : record.seen())
-    if (m.state != MarkerState::lost && m.T_camera_marker.translation.z > 0) {
-      sum += m.T_camera_marker.translation.z;
-      ++count;
-    }
-  const double wanted = count > 0 ? sum / count : usual_distance;
-  const double step = started_ ? (now - last_).seconds() : 0;
-  distance_ += (1 - std::exp(-step / distance_settles.seconds())) * (wanted - distance_);
-  last_ = now;
-  started_ = true;
 }
 
 void TwoHands::add_sticks(const FrameRecord& record) {

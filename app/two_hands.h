@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model_shelf.h"
+#include "app/picture_depth.h"
 #include "render/frame_scene.h"
 #include "render/view.h"
 #include "scene/comparison.h"
@@ -29,7 +30,6 @@ class TwoHands {
  private:
   static constexpr std::size_t most_instances = 2 + max_markers_per_frame, most_lines = 2 * 4, most_texts = 6;
 
-  void ease_distance(const FrameRecord& record, Time now);
   void add_sticks(const FrameRecord& record);
   void add_model(const HandView& hand);
   void add_axes(const HandView& hand);
@@ -40,9 +40,8 @@ class TwoHands {
 
   const ModelShelf& shelf_;
   Comparison comparison_;
-  bool words_ = true, started_ = false;
-  double distance_ = 500;  // mm
-  Time last_;
+  PictureDepth picture_depth_;
+  bool words_ = true;
   Text link_words_;
   std::array<ModelInstance, most_instances> instances_;
   std::array<Line, most_lines> lines_;

@@ -1,8 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shared.h"
-
-layout(set = 0, binding = BINDING_VIEW, std140) uniform View { ViewData view; };
+#include "frame.glsl"
 
 layout(location = 0) in vec4 from;
 layout(location = 1) in vec4 to;

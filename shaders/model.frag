@@ -31,7 +31,7 @@ vec3 surface_normal() {
 }
 
 // Light from a sky above and a ground below, blurred over the hemisphere around n.
-vec3 hemisphere(vec3 n) { return mix(view.ground_color.rgb, view.sky_color.rgb, 0.5 + 0.5 * n.y); }
+vec3 hemisphere(vec3 n) { return mix(scene.ground_color.rgb, scene.sky_color.rgb, 0.5 + 0.5 * n.y); }
 
 // Karis's fit of the split-sum table: the share of surrounding light that a rough surface mirrors.
 vec3 environment_share(vec3 f0, float roughness, float n_v) {
@@ -42,14 +42,14 @@ vec3 environment_share(vec3 f0, float roughness, float n_v) {
 }
 
 vec3 key_light(vec3 n, vec3 v, vec3 diffuse, vec3 f0, float roughness) {
-  vec3 l = view.key_direction.xyz, h = normalize(l + v);
+  vec3 l = scene.key_direction.xyz, h = normalize(l + v);
   float n_l = clamp(dot(n, l), 0.0, 1.0), n_v = clamp(dot(n, v), 1e-3, 1.0), n_h = clamp(dot(n, h), 0.0, 1.0);
   float a = roughness * roughness, a2 = a * a;
   float d = n_h * n_h * (a2 - 1.0) + 1.0;
   float distribution = a2 / (pi * d * d);
   float visibility = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2) + 1e-5);
   vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - clamp(dot(v, h), 0.0, 1.0), 5.0);
-  return (diffuse * (1.0 - fresnel) / pi + distribution * visibility * fresnel) * n_l * view.key_color.rgb;
+  return (diffuse * (1.0 - fresnel) / pi + distribution * visibility * fresnel) * n_l * scene.key_color.rgb;
 }
 
 // Keeps highlights from clipping: the identity up to 0.7, then towards 1.

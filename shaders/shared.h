@@ -17,9 +17,12 @@ using glm::vec4;
 #endif
 
 // Bindings of set 0 (a frame) and set 1 (a material).
-#define BINDING_VIEW 0
-#define BINDING_PICTURE 1
-#define BINDING_GLYPHS 2
+#define BINDING_VIEWS 0
+#define BINDING_SCENE 1
+#define BINDING_SURFACE 2
+#define BINDING_PICTURE 3
+#define BINDING_GLYPHS 4
+#define BINDING_LENS 5
 #define BINDING_MATERIAL 0
 #define BINDING_BASE_COLOR 1
 #define BINDING_METALLIC_ROUGHNESS 2
@@ -30,9 +33,17 @@ using glm::vec4;
 // Reach of the glyph atlas's distance field either side of an outline, texels.
 #define ATLAS_SPREAD 6.0
 
+// What the world is round the camera's picture, linear.
+#define SURROUND_R 0.006F
+#define SURROUND_G 0.007F
+#define SURROUND_B 0.009F
+
 // QuadData.shape.x
 #define QUAD_PLATE 0
 #define QUAD_GLYPH 1
+
+// Views that one pass draws at once.
+#define PASS_VIEWS 2
 
 // UnpackData.size.z
 #define UNPACK_RGB8 0
@@ -43,14 +54,19 @@ using glm::vec4;
 // One view of one frame.
 struct ViewData {
   mat4 clip_from_world;
-  vec4 eye;       // xyz: the view's origin
-  vec4 viewport;  // x, y, width, height: pixels of the target
-  // Passthrough, in vision axes. Pixel p of the viewport looks along (p * ray.xy + ray.zw, 1).
-  vec4 ray;
-  vec4 picture_rows[3];    // xyz: rows of the homography from that ray to the camera's (x, y, 1), up to scale
+  mat4 clip_from_camera;  // from the passthrough camera's frame: vision axes, metres
+  vec4 eye;               // xyz: the view's origin
+  vec4 viewport;          // x, y, width, height: pixels of the target
+};
+
+// What all views of a frame share.
+struct SceneData {
+  // The passthrough surface. Points of it are named by what an ideal lens would show them at: n = (x, y) / z.
+  vec4 surface;            // n of the first corner of the grid, n from one to the next
+  vec4 surface_grid;       // cells across, cells down, 0, 0
   vec4 picture_intrinsic;  // fx, fy, cx, cy over the picture's size
-  vec4 distortion;         // k1, k2, p1, p2
-  vec4 distortion_more;    // k3, largest r^2 at which the model still holds, width / height, 0
+  vec4 lens_map;           // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
+  vec4 picture_shape;      // width / height, 0, 0, 0
   vec4 key_direction;      // xyz: to the light, unit
   vec4 key_color;
   vec4 sky_color;
@@ -94,8 +110,8 @@ struct UnpackData {
 };
 
 #ifdef __cplusplus
-static_assert(offsetof(ViewData, eye) == 64 && offsetof(ViewData, picture_rows) == 112);
-static_assert(offsetof(ViewData, picture_intrinsic) == 160 && sizeof(ViewData) == 272);
+static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 160);
+static_assert(offsetof(SceneData, key_direction) == 80 && sizeof(SceneData) == 144);
 static_assert(sizeof(DrawData) == 80 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 && sizeof(LineData) == 48);
 static_assert(sizeof(UnpackData) == 32);
 }  // namespace onestroke::gpu

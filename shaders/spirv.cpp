@@ -10,6 +10,8 @@ namespace {
 #include "model_vert.spv.h"
 #include "passthrough_frag.spv.h"
 #include "passthrough_vert.spv.h"
+#include "probe_frag.spv.h"
+#include "probe_vert.spv.h"
 #include "quad_frag.spv.h"
 #include "quad_vert.spv.h"
 #include "unpack_comp.spv.h"
@@ -21,6 +23,12 @@ std::span<const std::uint32_t> passthrough_vert() {
 }
 std::span<const std::uint32_t> passthrough_frag() {
   return passthrough_frag_words;
+}
+std::span<const std::uint32_t> probe_vert() {
+  return probe_vert_words;
+}
+std::span<const std::uint32_t> probe_frag() {
+  return probe_frag_words;
 }
 std::span<const std::uint32_t> unpack_comp() {
   return unpack_comp_words;

@@ -1,34 +1,18 @@
 #include "render/frame_recorder.h"
 
 #include "render/font.h"
-#include "render/projection.h"
-#include "render/target.h"
+#include "render/multiview_probe.h"
 #include "scene/frames.h"
 
-#include <glm/geometric.hpp>
+#include <algorithm>
 
 namespace onestroke {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
-using Reach = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
-constexpr Access draw_color{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
-constexpr Access draw_depth{Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,
-                            Reach::eDepthStencilAttachmentRead | Reach::eDepthStencilAttachmentWrite};
-
-gpu::vec4 rgba(const Color& c) {
-  return {c.r, c.g, c.b, c.a};
-}
-
-void fill_light(gpu::ViewData& data, const Light& light) {
-  data.key_direction = gpu::vec4(glm::normalize(direction_to_graphics(light.to_key_world)), 0.0F);
-  data.key_color = rgba(light.key);
-  data.sky_color = rgba(light.sky);
-  data.ground_color = rgba(light.ground);
-}
+constexpr Color surround{SURROUND_R, SURROUND_G, SURROUND_B, 1};
 
 Image make_glyphs(Device& device) {
   const FontAtlas& atlas = font_atlas();
@@ -46,48 +30,6 @@ vk::raii::Sampler make_sampler(Device& device) {
                                     .addressModeV = vk::SamplerAddressMode::eClampToEdge});
 }
 
-void open_target(const vk::raii::CommandBuffer& commands, const RenderTarget& target, const Image& color,
-                 const Image& depth) {
-  image_barrier(commands, target.image, {Layout::eUndefined, Layout::eColorAttachmentOptimal},
-                {Stage::eColorAttachmentOutput, {}}, draw_color);
-  // The frame before may still be writing these.
-  image_barrier(commands, color.handle(), {Layout::eUndefined, Layout::eColorAttachmentOptimal}, draw_color,
-                {Stage::eColorAttachmentOutput, Reach::eColorAttachmentRead | Reach::eColorAttachmentWrite});
-  image_barrier(commands, depth.handle(), {Layout::eUndefined, Layout::eDepthAttachmentOptimal}, draw_depth, draw_depth,
-                vk::ImageAspectFlagBits::eDepth);
-}
-
-void close_target(const vk::raii::CommandBuffer& commands, const RenderTarget& target) {
-  const auto layout = static_cast<Layout>(target.final_layout);
-  const bool copied = layout == Layout::eTransferSrcOptimal;
-  image_barrier(commands, target.image, {Layout::eColorAttachmentOptimal, layout}, draw_color,
-                copied ? Access{Stage::eAllTransfer, Reach::eTransferRead} : Access{Stage::eAllCommands, {}});
-}
-
-void begin_rendering(const vk::raii::CommandBuffer& commands, const RenderTarget& target, const Image& color,
-                     const Image& depth, const Color& background) {
-  const vk::RenderingAttachmentInfo color_attachment{
-      .imageView = color.view(),
-      .imageLayout = Layout::eColorAttachmentOptimal,
-      .resolveMode = vk::ResolveModeFlagBits::eAverage,
-      .resolveImageView = target.view,
-      .resolveImageLayout = Layout::eColorAttachmentOptimal,
-      .loadOp = vk::AttachmentLoadOp::eClear,
-      .storeOp = vk::AttachmentStoreOp::eDontCare,
-      .clearValue = {.color = {.float32 = std::array{background.r, background.g, background.b, background.a}}}};
-  const vk::RenderingAttachmentInfo depth_attachment{.imageView = depth.view(),
-                                                     .imageLayout = Layout::eDepthAttachmentOptimal,
-                                                     .loadOp = vk::AttachmentLoadOp::eClear,
-                                                     .storeOp = vk::AttachmentStoreOp::eDontCare,
-                                                     .clearValue = {.depthStencil = {.depth = 0}}};
-  commands.beginRendering(
-      {.renderArea = {.extent = {static_cast<std::uint32_t>(target.width), static_cast<std::uint32_t>(target.height)}},
-       .layerCount = 1,
-       .colorAttachmentCount = 1,
-       .pColorAttachments = &color_attachment,
-       .pDepthAttachment = &depth_attachment});
-}
-
 void set_viewport(const vk::raii::CommandBuffer& commands, const Viewport& v) {
   const auto width = static_cast<std::uint32_t>(v.width), height = static_cast<std::uint32_t>(v.height);
   commands.setViewport(0, vk::Viewport{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.width),
@@ -95,134 +37,133 @@ void set_viewport(const vk::raii::CommandBuffer& commands, const Viewport& v) {
   commands.setScissor(0, vk::Rect2D{{v.x, v.y}, {width, height}});
 }
 
+/// Where blended surfaces are sorted from: the middle of the views of a pass.
+glm::vec3 eye_of(std::span<const View> views) {
+  Vec3 sum;
+  for (const View& view : views) sum = sum + view.T_world_view.translation;
+  return point_to_graphics(sum / static_cast<double>(views.size()));
+}
+
 }  // namespace
 
-FrameRecorder::FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models)
+FrameRecorder::FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models, bool multiview)
     : device_(device),
       layouts_(layouts),
+      multiview_(multiview),
       models_(models),
+      targets_(device),
       sampler_(make_sampler(device)),
       glyphs_(make_glyphs(device)) {}
 
-void FrameRecorder::fit(const RenderTarget& target, Graveyard& graveyard) {
+bool FrameRecorder::can_draw_together(std::span<const View> views) {
+  if (!multiview_ || views.size() < 2) return false;
+  if (!multiview_works_) multiview_works_ = multiview_works(device_);
+  const auto same = [&views](const View& v) {
+    const Viewport &a = v.viewport, &b = views.front().viewport;
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+  };
+  return *multiview_works_ && std::all_of(views.begin(), views.end(), same);
+}
+
+const Pipelines& FrameRecorder::pipelines_for(const RenderTarget& target, std::uint32_t view_mask) {
   const auto format = static_cast<vk::Format>(target.format);
-  const auto width = static_cast<std::uint32_t>(target.width), height = static_cast<std::uint32_t>(target.height);
-  if (!pipelines_ || pipelines_->color != format) {
+  auto& pipelines = pipelines_[view_mask ? 1 : 0];
+  if (!pipelines || pipelines->color != format) {
     // Displays keep their format, so this waits only when a second display takes turns with the first.
-    if (pipelines_) device_.vk().waitIdle();
-    pipelines_.emplace(device_, layouts_, format);
+    if (pipelines) device_.vk().waitIdle();
+    pipelines.emplace(device_, layouts_, format, view_mask);
   }
-  if (color_ && color_.info().format == format && color_.info().width == width && color_.info().height == height)
-    return;
-  graveyard.bury(std::move(color_));
-  graveyard.bury(std::move(depth_));
-  const auto passing = vk::ImageUsageFlagBits::eTransientAttachment;
-  color_ = Image(device_, {.format = format,
-                           .width = width,
-                           .height = height,
-                           .samples = sample_count,
-                           .usage = vk::ImageUsageFlagBits::eColorAttachment | passing});
-  depth_ = Image(device_, {.format = depth_format,
-                           .width = width,
-                           .height = height,
-                           .samples = sample_count,
-                           .usage = vk::ImageUsageFlagBits::eDepthStencilAttachment | passing});
+  return *pipelines;
 }
 
-void FrameRecorder::fill_arena(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
-                               const PictureStore& picture) {
-  const std::uint64_t alignment =
-      std::max<std::uint64_t>(device_.properties().limits.minUniformBufferOffsetAlignment, 16);
-  view_step_ = (sizeof(gpu::ViewData) + alignment - 1) / alignment * alignment;
-  slot.arena.begin(device_,
-                   view_step_ * max_views + overlay_.quads().size_bytes() + overlay_.lines().size_bytes() + 64);
-  bool first = true;
-  for (const auto& view : views) {
-    gpu::ViewData data{};
-    fill_view(data, view);
-    fill_light(data, scene.light);
-    if (picture.shown() && scene.passthrough_distance)
-      fill_picture(data, view, picture.intrinsics(), picture.width(), picture.height(), picture.T_world_camera(),
-                   *scene.passthrough_distance);
-    const auto at = slot.arena.put(std::span<const gpu::ViewData>(&data, 1), alignment);
-    if (first) views_at_ = at;
-    first = false;
-  }
-  quads_at_ = slot.arena.put(overlay_.quads());
-  lines_at_ = slot.arena.put(overlay_.lines());
+void FrameRecorder::build_surface(const FrameScene& scene, const PictureStore& picture) {
+  data_.passthrough = picture.shown() && scene.passthrough_distance;
+  if (data_.passthrough) surface_.build(picture.bounds(), scene.passthrough_segments, *scene.passthrough_distance);
 }
 
-void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture) {
-  const vk::DescriptorBufferInfo view{.buffer = slot.arena.handle(), .range = sizeof(gpu::ViewData)};
-  const std::array images{
-      vk::DescriptorImageInfo{
-          .sampler = *sampler_, .imageView = picture.view(), .imageLayout = Layout::eShaderReadOnlyOptimal},
-      vk::DescriptorImageInfo{
-          .sampler = *sampler_, .imageView = glyphs_.view(), .imageLayout = Layout::eShaderReadOnlyOptimal}};
-  // The two images have neighbouring bindings, so one write fills both.
-  static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1);
-  const std::array writes{vk::WriteDescriptorSet{.dstSet = slot.set,
-                                                 .dstBinding = BINDING_VIEW,
-                                                 .descriptorCount = 1,
-                                                 .descriptorType = vk::DescriptorType::eUniformBufferDynamic,
-                                                 .pBufferInfo = &view},
+void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture) const {
+  using Type = vk::DescriptorType;
+  const vk::Buffer arena = slot.arena.handle();
+  const std::array buffers{vk::DescriptorBufferInfo{.buffer = arena, .range = PASS_VIEWS * sizeof(gpu::ViewData)},
+                           vk::DescriptorBufferInfo{arena, data_.scene_at, sizeof(gpu::SceneData)},
+                           vk::DescriptorBufferInfo{arena, data_.surface_at, data_.surface_bytes}};
+  const auto sampled = [this](vk::ImageView view) {
+    return vk::DescriptorImageInfo{*sampler_, view, Layout::eShaderReadOnlyOptimal};
+  };
+  const std::array images{sampled(picture.view()), sampled(glyphs_.view()), sampled(picture.lens_view())};
+  // The images have neighbouring bindings, so one write fills them all.
+  static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2);
+  const auto buffer_write = [&](std::uint32_t binding, Type type, const vk::DescriptorBufferInfo& info) {
+    return vk::WriteDescriptorSet{
+        .dstSet = slot.set, .dstBinding = binding, .descriptorCount = 1, .descriptorType = type, .pBufferInfo = &info};
+  };
+  const std::array writes{buffer_write(BINDING_VIEWS, Type::eUniformBufferDynamic, buffers[0]),
+                          buffer_write(BINDING_SCENE, Type::eUniformBuffer, buffers[1]),
+                          buffer_write(BINDING_SURFACE, Type::eStorageBuffer, buffers[2]),
                           vk::WriteDescriptorSet{.dstSet = slot.set,
                                                  .dstBinding = BINDING_PICTURE,
                                                  .descriptorCount = images.size(),
-                                                 .descriptorType = vk::DescriptorType::eCombinedImageSampler,
+                                                 .descriptorType = Type::eCombinedImageSampler,
                                                  .pImageInfo = images.data()}};
   device_.vk().updateDescriptorSets(writes, {});
 }
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
                            const RenderTarget& target, PictureStore& picture) {
-  fit(target, slot.graveyard);
+  plan_passes(data_, views, can_draw_together(views));
+  const std::uint32_t view_mask = data_.passes.front().view_mask;
+  const bool by_layer = view_mask == 0 && target.layers > 1;
+  targets_.fit(target, by_layer ? FrameTargets::Way::by_layer : FrameTargets::Way::at_once, slot.graveyard);
   models_.prepare(scene.instances);
   overlay_.build(scene, views);
   picture.record(slot);
-  fill_arena(slot, scene, views, picture);
+  build_surface(scene, picture);
+  fill_arena(data_, device_, slot.arena, scene, views, picture, surface_, overlay_);
   write_set(slot, picture);
-  open_target(slot.commands, target, color_, depth_);
-  begin_rendering(slot.commands, target, color_, depth_, scene.background);
-  record_views(slot, views, picture.shown() && scene.passthrough_distance);
-  slot.commands.endRendering();
-  close_target(slot.commands, target);
+  targets_.open(slot.commands, target);
+  for (const FramePass& pass : std::span(data_.passes).first(data_.pass_count))
+    record_pass(slot, pass, views, target, data_.passthrough ? surround : scene.background);
+  targets_.close(slot.commands, target);
 }
 
-void FrameRecorder::record_views(const FrameSlot& slot, std::span<const View> views, bool passthrough) {
+void FrameRecorder::record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
+                                const RenderTarget& target, const Color& background) {
   const auto& commands = slot.commands;
-  std::uint64_t at = views_at_;
-  for (const auto& view : views) {
-    set_viewport(commands, view.viewport);
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts_.pipeline, 0, slot.set,
-                                static_cast<std::uint32_t>(at));
-    if (passthrough) {
-      commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines_->passthrough);
-      commands.draw(3, 1, 0, 0);
-    }
-    models_.record(commands, layouts_, *pipelines_, point_to_graphics(view.T_world_view.translation));
-    record_overlay(slot);
-    at += view_step_;
-  }
+  const Pipelines& pipelines = pipelines_for(target, pass.view_mask);
+  const auto seen = pass.view_mask ? views : views.subspan(pass.first_view, 1);
+  targets_.begin_pass(commands, target, pass.view_mask, background);
+  set_viewport(commands, seen.front().viewport);
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts_.pipeline, 0, slot.set,
+                              static_cast<std::uint32_t>(pass.views_at));
+  if (data_.passthrough) record_passthrough(slot, pipelines);
+  models_.record(commands, layouts_, pipelines, eye_of(seen));
+  record_overlay(slot, pipelines);
+  targets_.end_pass(commands, target, static_cast<std::uint32_t>(pass.first_view));
 }
 
-void FrameRecorder::record_overlay(const FrameSlot& slot) {
+void FrameRecorder::record_passthrough(const FrameSlot& slot, const Pipelines& pipelines) const {
+  slot.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.passthrough);
+  const auto columns = static_cast<std::uint32_t>(surface_.columns_used());
+  slot.commands.draw(2 * (columns + 1), static_cast<std::uint32_t>(surface_.rows_used()), 0, 0);
+}
+
+void FrameRecorder::record_overlay(const FrameSlot& slot, const Pipelines& pipelines) const {
   const auto& commands = slot.commands;
   const auto bind = vk::PipelineBindPoint::eGraphics;
   if (const auto count = static_cast<std::uint32_t>(overlay_.lines().size())) {
-    commands.bindPipeline(bind, *pipelines_->line);
-    commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{lines_at_});
+    commands.bindPipeline(bind, *pipelines.line);
+    commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{data_.lines_at});
     commands.draw(4, count, 0, 0);
   }
   const auto count = static_cast<std::uint32_t>(overlay_.quads().size()), tested = overlay_.tested();
   if (count == 0) return;
-  commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{quads_at_});
+  commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{data_.quads_at});
   if (tested > 0) {
-    commands.bindPipeline(bind, *pipelines_->quad);
+    commands.bindPipeline(bind, *pipelines.quad);
     commands.draw(4, tested, 0, 0);
   }
   if (count > tested) {
-    commands.bindPipeline(bind, *pipelines_->quad_on_top);
+    commands.bindPipeline(bind, *pipelines.quad_on_top);
     commands.draw(4, count - tested, 0, tested);
   }
 }

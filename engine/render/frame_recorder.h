@@ -1,6 +1,9 @@
 #pragma once
 
+#include "render/depth_surface.h"
+#include "render/frame_data.h"
 #include "render/frame_ring.h"
+#include "render/frame_targets.h"
 #include "render/model_pass.h"
 #include "render/overlay.h"
 #include "render/picture_store.h"
@@ -13,27 +16,35 @@ namespace onestroke {
 /// Turns a scene into the commands of one frame. Keeps what lasts longer than a frame: pipelines and attachments.
 class FrameRecorder {
  public:
-  FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models);
+  /// multiview: whether views that look through equal viewports are drawn in one pass, where the driver can do that.
+  FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models, bool multiview);
 
   void record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views, const RenderTarget& target,
               PictureStore& picture);
 
  private:
-  void fit(const RenderTarget& target, Graveyard& graveyard);
-  void fill_arena(FrameSlot& slot, const FrameScene& scene, std::span<const View> views, const PictureStore& picture);
-  void write_set(const FrameSlot& slot, const PictureStore& picture);
-  void record_views(const FrameSlot& slot, std::span<const View> views, bool passthrough);
-  void record_overlay(const FrameSlot& slot);
+  bool can_draw_together(std::span<const View> views);
+  const Pipelines& pipelines_for(const RenderTarget& target, std::uint32_t view_mask);
+  void build_surface(const FrameScene& scene, const PictureStore& picture);
+  void write_set(const FrameSlot& slot, const PictureStore& picture) const;
+  void record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
+                   const RenderTarget& target, const Color& background);
+  void record_passthrough(const FrameSlot& slot, const Pipelines& pipelines) const;
+  void record_overlay(const FrameSlot& slot, const Pipelines& pipelines) const;
 
   Device& device_;
   const Layouts& layouts_;
+  const bool multiview_;
+  std::optional<bool> multiview_works_;  // asked when there are first two views
   ModelPass models_;
   Overlay overlay_;
+  DepthSurface surface_;
+  FrameTargets targets_;
   vk::raii::Sampler sampler_;
-  Image glyphs_, color_, depth_;
-  std::optional<Pipelines> pipelines_;
-  // Offsets in the frame's arena.
-  std::uint64_t views_at_ = 0, view_step_ = 0, quads_at_ = 0, lines_at_ = 0;
+  Image glyphs_;
+  // For one view alone, and for several at once.
+  std::array<std::optional<Pipelines>, 2> pipelines_;
+  FrameData data_;
 };
 
 }  // namespace onestroke

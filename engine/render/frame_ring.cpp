@@ -11,8 +11,11 @@ namespace {
 constexpr std::uint64_t smallest_arena = 256U << 10U;
 
 vk::raii::DescriptorPool make_descriptors(Device& device) {
-  const std::array sizes{vk::DescriptorPoolSize{vk::DescriptorType::eUniformBufferDynamic, frames_in_flight},
-                         vk::DescriptorPoolSize{vk::DescriptorType::eCombinedImageSampler, 2 * frames_in_flight}};
+  using Type = vk::DescriptorType;
+  const std::array sizes{vk::DescriptorPoolSize{Type::eUniformBufferDynamic, frames_in_flight},
+                         vk::DescriptorPoolSize{Type::eUniformBuffer, frames_in_flight},
+                         vk::DescriptorPoolSize{Type::eStorageBuffer, frames_in_flight},
+                         vk::DescriptorPoolSize{Type::eCombinedImageSampler, 3 * frames_in_flight}};
   return device.vk().createDescriptorPool({.maxSets = frames_in_flight,
                                            .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
                                            .pPoolSizes = sizes.data()});
@@ -28,9 +31,10 @@ vk::raii::Semaphore make_timeline(Device& device) {
 void Arena::begin(Device& device, std::uint64_t bytes) {
   used_ = 0;
   if (buffer_.size() >= bytes) return;
-  buffer_ =
-      Buffer(device, std::max(smallest_arena, bytes * 2),
-             vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eVertexBuffer, MemoryPool::Use::upload);
+  buffer_ = Buffer(device, std::max(smallest_arena, bytes * 2),
+                   vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
+                       vk::BufferUsageFlagBits::eVertexBuffer,
+                   MemoryPool::Use::upload);
 }
 
 FrameRing::FrameRing(Device& device, vk::DescriptorSetLayout set_layout)

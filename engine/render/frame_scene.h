@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/pose.h"
+#include "render/depth_surface.h"
 
 #include <array>
 #include <cstdint>
@@ -81,9 +82,11 @@ struct Light {
 
 /// Everything that one frame shows. Borrowed for the length of draw().
 struct FrameScene {
-  /// Distance of the surface that the camera's picture lies on, mm along the camera's axis; best that of the markers.
-  /// Without it, or before the first picture, the background is `background`.
+  /// Distance of the surface that the camera's picture lies on, mm along the camera's axis, where no segment says
+  /// otherwise. Without it, or before the first picture, the background is `background`.
   std::optional<double> passthrough_distance = 500;
+  /// Best the markers' axes: there the picture and what stands on it do not slide on each other in either eye.
+  std::span<const DepthSegment> passthrough_segments{};
   Color background{0.006F, 0.007F, 0.009F, 1};
   std::span<const ModelInstance> instances{};
   std::span<const Line> lines{};

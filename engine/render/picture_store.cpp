@@ -4,6 +4,8 @@
 #include "shaders/shared.h"
 #include "shaders/spirv.h"
 
+#include <glm/packing.hpp>
+
 namespace onestroke {
 
 namespace {
@@ -83,6 +85,14 @@ vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout) {
       {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *module, .pName = "main"}, .layout = layout});
 }
 
+/// Exact shifts where the GPU can look them up between texels; not every mobile one can.
+vk::Format lens_format_for(const Device& device) {
+  const auto exact = vk::Format::eR32G32Sfloat;
+  const auto wanted = vk::FormatFeatureFlagBits::eSampledImage | vk::FormatFeatureFlagBits::eSampledImageFilterLinear;
+  const auto features = device.physical().getFormatProperties(exact).optimalTilingFeatures;
+  return (features & wanted) == wanted ? exact : vk::Format::eR16G16Sfloat;
+}
+
 vk::raii::DescriptorPool make_descriptors(Device& device, std::uint32_t count) {
   const std::array sizes{vk::DescriptorPoolSize{vk::DescriptorType::eStorageBuffer, count},
                          vk::DescriptorPoolSize{vk::DescriptorType::eStorageImage, count}};
@@ -96,7 +106,8 @@ PictureStore::PictureStore(Device& device)
       set_layout_(make_set_layout(device)),
       layout_(make_layout(device, *set_layout_)),
       pipeline_(make_pipeline(device, *layout_)),
-      descriptors_(make_descriptors(device, slots)) {
+      descriptors_(make_descriptors(device, slots)),
+      lens_format_(lens_format_for(device)) {
   for (auto& set : sets_)
     set = device.vk()
               .allocateDescriptorSets(
@@ -118,6 +129,7 @@ void PictureStore::set(const Picture& p) {
     staging = Buffer(device_, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryPool::Use::upload);
   copy_rows(staging.mapped(), p.planes[0], p.strides[0], first);
   if (second.rows) copy_rows(staging.mapped() + std::size_t{4} * second_at, p.planes[1], p.strides[1], second);
+  follow_lens(p);
   width_ = p.width;
   height_ = p.height;
   push_ = {static_cast<std::uint32_t>(width_),
@@ -131,6 +143,49 @@ void PictureStore::set(const Picture& p) {
   intrinsics_ = p.intrinsics;
   T_world_camera_ = p.T_world_camera;
   pending_ = shown_ = true;
+}
+
+void PictureStore::follow_lens(const Picture& p) {
+  // In picture heights; see passthrough.frag.
+  constexpr double glow = 0.1;
+  const Intrinsics &was = intrinsics_, &is = p.intrinsics;
+  const bool same = width_ == p.width && height_ == p.height && was.fx == is.fx && was.fy == is.fy && was.cx == is.cx &&
+                    was.cy == is.cy && was.distortion == is.distortion;
+  if (same) return;
+  bounds_ = picture_bounds(is, p.width, p.height, glow);
+  lens_placement_ = {};
+  lens_pending_ = is.distorted();
+  if (!lens_pending_) return;
+  lens_map_ = make_lens_map(is, p.width, p.height, bounds_);
+  lens_placement_ = lens_map_.placement();
+}
+
+void PictureStore::record_lens(FrameSlot& slot) {
+  if (!lens_pending_) return;
+  lens_pending_ = false;
+  std::vector<std::uint32_t> halves;
+  auto bytes = std::as_bytes(std::span(lens_map_.shifts));
+  if (lens_format_ == vk::Format::eR16G16Sfloat) {
+    for (std::size_t i = 0; i < lens_map_.shifts.size(); i += 2)
+      halves.push_back(glm::packHalf2x16({lens_map_.shifts[i], lens_map_.shifts[i + 1]}));
+    bytes = std::as_bytes(std::span(halves));
+  }
+  Buffer staging(device_, bytes.size(), vk::BufferUsageFlagBits::eTransferSrc, MemoryPool::Use::upload);
+  std::memcpy(staging.mapped(), bytes.data(), bytes.size());
+  slot.graveyard.bury(std::move(lens_));
+  lens_ = Image(device_, {.format = lens_format_,
+                          .width = LensMap::width,
+                          .height = LensMap::height,
+                          .usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst});
+  image_barrier(slot.commands, lens_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, {},
+                {Stage::eAllTransfer, Reach::eTransferWrite});
+  slot.commands.copyBufferToImage(
+      staging.handle(), lens_.handle(), Layout::eTransferDstOptimal,
+      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
+                          .imageExtent = {LensMap::width, LensMap::height, 1}});
+  image_barrier(slot.commands, lens_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal},
+                {Stage::eAllTransfer, Reach::eTransferWrite}, {Stage::eFragmentShader, Reach::eShaderSampledRead});
+  slot.graveyard.bury(std::move(staging));
 }
 
 void PictureStore::write_set(vk::DescriptorSet set, vk::Buffer bytes) {
@@ -150,6 +205,7 @@ void PictureStore::write_set(vk::DescriptorSet set, vk::Buffer bytes) {
 }
 
 void PictureStore::record(FrameSlot& slot) {
+  record_lens(slot);
   if (!pending_) return;
   const std::uint32_t width = push_[0], height = push_[1];
   if (!image_ || image_.info().width != width || image_.info().height != height) {

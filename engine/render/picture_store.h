@@ -2,6 +2,7 @@
 
 #include "core/picture.h"
 #include "render/frame_ring.h"
+#include "render/lens_map.h"
 
 #include <optional>
 
@@ -23,6 +24,12 @@ class PictureStore {
   bool shown() const { return shown_; }
   /// Ready for sampling; a single black texel before the first picture.
   vk::ImageView view() const { return image_ ? image_.second_view() : blank_.view(); }
+  /// The lens map, ready for sampling; a single texel without a meaning where the lens is ideal.
+  vk::ImageView lens_view() const { return lens_ ? lens_.view() : blank_.view(); }
+  /// See LensMap::placement(); all zero where the lens is ideal.
+  const std::array<float, 4>& lens_placement() const { return lens_placement_; }
+  /// What of the plane z = 1 the picture shows, with room for the glow round its edge.
+  const PlaneBounds& bounds() const { return bounds_; }
   const Intrinsics& intrinsics() const { return intrinsics_; }
   const Pose& T_world_camera() const { return T_world_camera_; }
   int width() const { return width_; }
@@ -33,6 +40,8 @@ class PictureStore {
   static constexpr std::size_t slots = frames_in_flight + 1;
 
   void write_set(vk::DescriptorSet set, vk::Buffer bytes);
+  void follow_lens(const Picture& picture);
+  void record_lens(FrameSlot& slot);
 
   Device& device_;
   vk::raii::DescriptorSetLayout set_layout_;
@@ -44,7 +53,12 @@ class PictureStore {
   std::size_t next_ = 0;
   bool pending_ = false, shown_ = false;
   std::array<std::uint32_t, 8> push_{};
-  Image image_, blank_;
+  Image image_, blank_, lens_;
+  vk::Format lens_format_;
+  LensMap lens_map_;
+  std::array<float, 4> lens_placement_{};
+  bool lens_pending_ = false;
+  PlaneBounds bounds_;
   int width_ = 0, height_ = 0;
   Intrinsics intrinsics_;
   Pose T_world_camera_;

@@ -61,7 +61,15 @@ vk::PipelineColorBlendAttachmentState blend_of(const Recipe& recipe) {
   return state;
 }
 
-vk::raii::Pipeline make_pipeline(Device& device, const Layouts& layouts, vk::Format color, const Recipe& recipe) {
+struct Place {
+  Device& device;
+  const Layouts& layouts;
+  vk::Format color;
+  std::uint32_t view_mask;
+};
+
+vk::raii::Pipeline make_pipeline(const Place& place, const Recipe& recipe) {
+  Device& device = place.device;
   const auto vertex = make_module(device, recipe.vertex), fragment = make_module(device, recipe.fragment);
   const std::array stages{
       vk::PipelineShaderStageCreateInfo{.stage = ShaderStage::eVertex, .module = *vertex, .pName = "main"},
@@ -84,8 +92,10 @@ vk::raii::Pipeline make_pipeline(Device& device, const Layouts& layouts, vk::For
                            vk::DynamicState::eFrontFace};
   const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = recipe.sets_culling ? 4U : 2U,
                                                     .pDynamicStates = dynamic.data()};
-  const vk::PipelineRenderingCreateInfo rendering{
-      .colorAttachmentCount = 1, .pColorAttachmentFormats = &color, .depthAttachmentFormat = depth_format};
+  const vk::PipelineRenderingCreateInfo rendering{.viewMask = place.view_mask,
+                                                  .colorAttachmentCount = 1,
+                                                  .pColorAttachmentFormats = &place.color,
+                                                  .depthAttachmentFormat = depth_format};
   return device.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
                                                       .stageCount = stages.size(),
                                                       .pStages = stages.data(),
@@ -97,15 +107,11 @@ vk::raii::Pipeline make_pipeline(Device& device, const Layouts& layouts, vk::For
                                                       .pDepthStencilState = &depth,
                                                       .pColorBlendState = &blends,
                                                       .pDynamicState = &dynamics,
-                                                      .layout = *layouts.pipeline});
+                                                      .layout = *place.layouts.pipeline});
 }
 
 Recipe passthrough_recipe() {
-  return {.vertex = spirv::passthrough_vert(),
-          .fragment = spirv::passthrough_frag(),
-          .bindings = {},
-          .attributes = {},
-          .topology = vk::PrimitiveTopology::eTriangleList};
+  return {.vertex = spirv::passthrough_vert(), .fragment = spirv::passthrough_frag(), .bindings = {}, .attributes = {}};
 }
 
 Recipe model_recipe(bool writes_color, bool blends) {
@@ -147,11 +153,14 @@ vk::raii::DescriptorSetLayout make_set_layout(Device& device,
 
 vk::raii::DescriptorSetLayout frame_layout(Device& device) {
   using Type = vk::DescriptorType;
+  const auto both = ShaderStage::eVertex | ShaderStage::eFragment;
   const std::array bindings{
-      vk::DescriptorSetLayoutBinding{BINDING_VIEW, Type::eUniformBufferDynamic, 1,
-                                     ShaderStage::eVertex | ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_VIEWS, Type::eUniformBufferDynamic, 1, both},
+      vk::DescriptorSetLayoutBinding{BINDING_SCENE, Type::eUniformBuffer, 1, both},
+      vk::DescriptorSetLayoutBinding{BINDING_SURFACE, Type::eStorageBuffer, 1, ShaderStage::eVertex},
       vk::DescriptorSetLayoutBinding{BINDING_PICTURE, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_GLYPHS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
+      vk::DescriptorSetLayoutBinding{BINDING_GLYPHS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
   return make_set_layout(device, bindings);
 }
 
@@ -181,14 +190,14 @@ Layouts::Layouts(Device& device)
       material(material_layout(device)),
       pipeline(pipeline_layout(device, *frame, *material)) {}
 
-Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target)
+Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, std::uint32_t view_mask)
     : color(target),
-      passthrough(make_pipeline(device, layouts, target, passthrough_recipe())),
-      model(make_pipeline(device, layouts, target, model_recipe(true, false))),
-      model_blend(make_pipeline(device, layouts, target, model_recipe(true, true))),
-      model_depth(make_pipeline(device, layouts, target, model_recipe(false, false))),
-      line(make_pipeline(device, layouts, target, line_recipe())),
-      quad(make_pipeline(device, layouts, target, quad_recipe(true))),
-      quad_on_top(make_pipeline(device, layouts, target, quad_recipe(false))) {}
+      passthrough(make_pipeline({device, layouts, target, view_mask}, passthrough_recipe())),
+      model(make_pipeline({device, layouts, target, view_mask}, model_recipe(true, false))),
+      model_blend(make_pipeline({device, layouts, target, view_mask}, model_recipe(true, true))),
+      model_depth(make_pipeline({device, layouts, target, view_mask}, model_recipe(false, false))),
+      line(make_pipeline({device, layouts, target, view_mask}, line_recipe())),
+      quad(make_pipeline({device, layouts, target, view_mask}, quad_recipe(true))),
+      quad_on_top(make_pipeline({device, layouts, target, view_mask}, quad_recipe(false))) {}
 
 }  // namespace onestroke

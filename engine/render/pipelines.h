@@ -15,9 +15,10 @@ struct Layouts {
   vk::raii::PipelineLayout pipeline;
 };
 
-/// The pipelines for one format of target. All test depth the reverse way round (nearer is greater).
+/// The pipelines for one format of target and the views that are drawn at once: a bit each, or 0 for one view by
+/// itself. All test depth the reverse way round (nearer is greater).
 struct Pipelines {
-  Pipelines(Device& device, const Layouts& layouts, vk::Format color);
+  Pipelines(Device& device, const Layouts& layouts, vk::Format color, std::uint32_t view_mask);
 
   vk::Format color;
   vk::raii::Pipeline passthrough;

@@ -2,6 +2,8 @@
 
 #include "scene/frames.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 
 namespace onestroke {
@@ -9,14 +11,6 @@ namespace onestroke {
 namespace {
 
 constexpr float near_metres = 0.02F;
-
-glm::vec4 row_of(const std::array<double, 3>& row) {
-  return {static_cast<float>(row[0]), static_cast<float>(row[1]), static_cast<float>(row[2]), 0.0F};
-}
-
-glm::vec4 vec4_of(double x, double y, double z, double w) {
-  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
-}
 
 }  // namespace
 
@@ -44,49 +38,16 @@ glm::mat4 projection_of(const Fov& fov, float near) {
   return m;
 }
 
-Mat3 plane_homography(const Pose& T_camera_view, double distance) {
-  const Mat3 r = to_matrix(T_camera_view.rotation);
-  const Vec3 t = T_camera_view.translation;
-  const double ahead = distance - t.z;
-  Mat3 h{};
-  if (ahead <= 0) return h;
-  for (std::size_t i = 0; i < 3; ++i) {
-    h[0][i] = (ahead * r[0][i] + t.x * r[2][i]) / distance;
-    h[1][i] = (ahead * r[1][i] + t.y * r[2][i]) / distance;
-    h[2][i] = r[2][i];
-  }
-  return h;
-}
-
-double distortion_limit(const Intrinsics& intrinsics) {
-  const auto& d = intrinsics.distortion;
-  constexpr double farthest = 100;  // r = 10, 84 degrees off the axis
-  constexpr int steps = 2000;
-  for (int i = 1; i <= steps; ++i) {
-    const double r2 = farthest * i / steps;
-    const double slope = 1 + r2 * (3 * d[0] + r2 * (5 * d[1] + r2 * 7 * d[4]));
-    if (slope <= 0) return farthest * (i - 1) / steps;
-  }
-  return farthest;
-}
-
-void fill_view(gpu::ViewData& data, const View& view) {
-  const Fov& f = view.fov;
+gpu::ViewData view_data(const View& view, const Pose& T_world_camera) {
+  // The camera's vision axes are turned to graphics axes, in which the view looks on.
+  const glm::mat4 graphics_from_vision = glm::scale(glm::mat4(1.0F), glm::vec3(1.0F, -1.0F, -1.0F));
+  const glm::mat4 projection = projection_of(view.fov, near_metres);
+  const Pose T_view_world = inverse(view.T_world_view);
   const Viewport& v = view.viewport;
-  data.clip_from_world = projection_of(f, near_metres) * to_graphics(inverse(view.T_world_view));
-  data.eye = glm::vec4(point_to_graphics(view.T_world_view.translation), 1.0F);
-  data.viewport = vec4_of(v.x, v.y, v.width, v.height);
-  data.ray = vec4_of((f.right - f.left) / v.width, (f.up - f.down) / v.height, f.left, -f.up);
-}
-
-void fill_picture(gpu::ViewData& data, const View& view, const Intrinsics& k, int width, int height,
-                  const Pose& T_world_camera, double distance) {
-  const Mat3 h = plane_homography(inverse(T_world_camera) * view.T_world_view, distance);
-  for (std::size_t i = 0; i < 3; ++i) data.picture_rows[i] = row_of(h[i]);
-  data.picture_intrinsic = vec4_of(k.fx / width, k.fy / height, k.cx / width, k.cy / height);
-  const auto& d = k.distortion;
-  data.distortion = vec4_of(d[0], d[1], d[2], d[3]);
-  data.distortion_more = vec4_of(d[4], distortion_limit(k), static_cast<double>(width) / height, 0);
+  return {.clip_from_world = projection * to_graphics(T_view_world),
+          .clip_from_camera = projection * to_graphics(T_view_world * T_world_camera) * graphics_from_vision,
+          .eye = glm::vec4(point_to_graphics(view.T_world_view.translation), 1.0F),
+          .viewport = glm::vec4(v.x, v.y, v.width, v.height)};
 }
 
 }  // namespace onestroke

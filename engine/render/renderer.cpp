@@ -7,12 +7,12 @@
 namespace onestroke {
 
 struct Renderer::Impl {
-  explicit Impl(std::shared_ptr<Device> gpu)
+  Impl(std::shared_ptr<Device> gpu, const RendererOptions& options)
       : device(std::move(gpu)),
         layouts(*device),
         models(*device, layouts),
         picture(*device),
-        recorder(*device, layouts, models),
+        recorder(*device, layouts, models, options.multiview),
         ring(*device, *layouts.frame) {}
 
   std::shared_ptr<Device> device;
@@ -24,7 +24,7 @@ struct Renderer::Impl {
   std::string failure;
 };
 
-Renderer::Renderer(Gpu& gpu) : impl_(std::make_unique<Impl>(gpu.device())) {}
+Renderer::Renderer(Gpu& gpu, const RendererOptions& options) : impl_(std::make_unique<Impl>(gpu.device(), options)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

@@ -11,10 +11,15 @@ namespace onestroke {
 
 struct Model;
 
+struct RendererOptions {
+  /// Two eyes in one pass. Off, each has a pass of its own; the pictures are the same.
+  bool multiview = true;
+};
+
 /// Draws frames. One thread, the GPU's.
 class Renderer {
  public:
-  explicit Renderer(Gpu& gpu);
+  explicit Renderer(Gpu& gpu, const RendererOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

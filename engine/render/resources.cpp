@@ -14,14 +14,16 @@ vk::ImageAspectFlags aspect_of(vk::Format format) {
   return format == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
 }
 
-vk::raii::ImageView make_view(Device& device, vk::Image image, vk::Format format, vk::ImageUsageFlags usage) {
+vk::raii::ImageView make_view(Device& device, vk::Image image, vk::Format format, vk::ImageUsageFlags usage,
+                              std::uint32_t layers) {
   const vk::ImageViewUsageCreateInfo limit{.usage = usage};
   return device.vk().createImageView(
       {.pNext = &limit,
        .image = image,
-       .viewType = vk::ImageViewType::e2D,
+       .viewType = layers > 1 ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
        .format = format,
-       .subresourceRange = {.aspectMask = aspect_of(format), .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = 1}});
+       .subresourceRange = {
+           .aspectMask = aspect_of(format), .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = layers}});
 }
 
 Buffer staging_of(Device& device, std::span<const std::byte> bytes) {
@@ -80,28 +82,30 @@ Image::Image(Device& device, const ImageInfo& info) : info_(info) {
                                     .format = info.format,
                                     .extent = {info.width, info.height, 1},
                                     .mipLevels = info.mip_levels,
-                                    .arrayLayers = 1,
+                                    .arrayLayers = info.layers,
                                     .samples = info.samples,
                                     .usage = info.usage});
   allocation_ = device.memory().allocate(image_.getMemoryRequirements(), MemoryPool::Use::device);
   image_.bindMemory(allocation_.memory(), allocation_.offset());
-  view_ = make_view(device, *image_, info.format, info.usage);
-  if (two) second_view_ = make_view(device, *image_, info.second_format, vk::ImageUsageFlagBits::eSampled);
+  view_ = make_view(device, *image_, info.format, info.usage, info.layers);
+  if (two) second_view_ = make_view(device, *image_, info.second_format, vk::ImageUsageFlagBits::eSampled, info.layers);
 }
 
 void image_barrier(const vk::raii::CommandBuffer& commands, vk::Image image, LayoutChange layout, Access before,
                    Access after, vk::ImageAspectFlags aspect, std::uint32_t first_mip, std::uint32_t mips) {
-  const vk::ImageMemoryBarrier2 barrier{
-      .srcStageMask = before.stage,
-      .srcAccessMask = before.access,
-      .dstStageMask = after.stage,
-      .dstAccessMask = after.access,
-      .oldLayout = layout.from,
-      .newLayout = layout.to,
-      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .image = image,
-      .subresourceRange = {.aspectMask = aspect, .baseMipLevel = first_mip, .levelCount = mips, .layerCount = 1}};
+  const vk::ImageMemoryBarrier2 barrier{.srcStageMask = before.stage,
+                                        .srcAccessMask = before.access,
+                                        .dstStageMask = after.stage,
+                                        .dstAccessMask = after.access,
+                                        .oldLayout = layout.from,
+                                        .newLayout = layout.to,
+                                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                        .image = image,
+                                        .subresourceRange = {.aspectMask = aspect,
+                                                             .baseMipLevel = first_mip,
+                                                             .levelCount = mips,
+                                                             .layerCount = VK_REMAINING_ARRAY_LAYERS}};
   commands.pipelineBarrier2({.imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier});
 }
 

@@ -27,14 +27,14 @@ class Buffer {
 
 struct ImageInfo {
   vk::Format format = vk::Format::eUndefined;
-  std::uint32_t width = 0, height = 0, mip_levels = 1;
+  std::uint32_t width = 0, height = 0, mip_levels = 1, layers = 1;
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
   vk::ImageUsageFlags usage{};
   /// Also seen through a second format (an image that is stored to as UNORM and sampled as sRGB).
   vk::Format second_format = vk::Format::eUndefined;
 };
 
-/// A 2D image with its memory and a view of all of it. As Buffer.
+/// A 2D image with its memory and a view of all of it, an array where it has layers. As Buffer.
 class Image {
  public:
   Image() = default;

@@ -10,7 +10,7 @@ struct Fov {
   double left = -1, right = 1, up = 1, down = -1;
 };
 
-/// Pixels of the target image, from its top left corner.
+/// Pixels of the view's layer of the target image, from its top left corner.
 struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -22,7 +22,7 @@ struct View {
   Viewport viewport{};
 };
 
-inline constexpr int max_views = 4;
+inline constexpr int max_views = 2;
 
 /// The field of view of a camera: a view with it, at the camera's pose and the picture's size, shows the picture pixel
 /// for pixel (distortion apart).

@@ -12,7 +12,8 @@ namespace {
 
 constexpr auto format = vk::Format::eR8G8B8A8Srgb;
 
-/// One picture on its way from the GPU to the files.
+/// One picture on its way from the GPU to the files. The image has a layer for each view, the bytes have the views side
+/// by side.
 struct Slot {
   Image image;
   Buffer bytes;
@@ -23,21 +24,23 @@ struct Slot {
   bool pending = false;  // handed to the GPU, not yet to the files
 };
 
-Slot make_slot(Device& device, int width, int height) {
+Slot make_slot(Device& device, int width, int height, int views) {
   Slot slot;
   const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
-  slot.image =
-      Image(device, {.format = format,
-                     .width = w,
-                     .height = h,
-                     .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
-  slot.bytes =
-      Buffer(device, std::uint64_t{4} * w * h, vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
+  slot.image = Image(device, {.format = format,
+                              .width = w,
+                              .height = h,
+                              .layers = static_cast<std::uint32_t>(views),
+                              .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc |
+                                       vk::ImageUsageFlagBits::eTransferDst});
+  slot.bytes = Buffer(device, std::uint64_t{4} * w * h * static_cast<std::uint32_t>(views),
+                      vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
   slot.target = {.image = slot.image.handle(),
                  .view = slot.image.view(),
                  .format = static_cast<VkFormat>(format),
                  .width = width,
                  .height = height,
+                 .layers = views,
                  .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
   slot.pool = device.vk().createCommandPool({.queueFamilyIndex = device.queue_family()});
   slot.commands =
@@ -49,10 +52,16 @@ Slot make_slot(Device& device, int width, int height) {
 /// The copy is the same every time, so it is recorded once.
 void record_copy(const Slot& slot) {
   slot.commands.begin({});
-  slot.commands.copyImageToBuffer(
-      slot.image.handle(), vk::ImageLayout::eTransferSrcOptimal, slot.bytes.handle(),
-      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
-                          .imageExtent = {slot.image.info().width, slot.image.info().height, 1}});
+  const ImageInfo& image = slot.image.info();
+  std::array<vk::BufferImageCopy, max_views> copies;
+  for (std::uint32_t i = 0; i < image.layers; ++i)
+    copies[i] = {
+        .bufferOffset = std::uint64_t{4} * image.width * i,
+        .bufferRowLength = image.width * image.layers,
+        .imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .baseArrayLayer = i, .layerCount = 1},
+        .imageExtent = {image.width, image.height, 1}};
+  slot.commands.copyImageToBuffer(slot.image.handle(), vk::ImageLayout::eTransferSrcOptimal, slot.bytes.handle(),
+                                  vk::ArrayProxy<const vk::BufferImageCopy>(image.layers, copies.data()));
   const vk::MemoryBarrier2 barrier{.srcStageMask = vk::PipelineStageFlagBits2::eAllTransfer,
                                    .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
                                    .dstStageMask = vk::PipelineStageFlagBits2::eHost,
@@ -66,6 +75,7 @@ void check(const OffscreenOptions& o) {
     throw UsageError("an off-screen picture is 16 to 16384 pixels wide and high");
   if (!(o.rate > 0 && o.rate <= 1000)) throw UsageError("an off-screen display's rate is 0 to 1000 frames per second");
   if (o.views < 1 || o.views > 2) throw UsageError("an off-screen display has one view or two");
+  if (o.width % o.views != 0) throw UsageError("an off-screen pair of views needs an even width");
   if (o.png_every < 0) throw UsageError("every how many frames a picture is written cannot be negative");
 }
 
@@ -126,8 +136,9 @@ OffscreenDisplay::~OffscreenDisplay() {
 
 void OffscreenDisplay::attach(Gpu& gpu) {
   impl_->device = gpu.device();
+  const OffscreenOptions& o = impl_->options;
   for (auto& slot : impl_->slots) {
-    slot = make_slot(*impl_->device, impl_->options.width, impl_->options.height);
+    slot = make_slot(*impl_->device, o.width / o.views, o.height, o.views);
     record_copy(slot);
   }
 }
@@ -143,7 +154,7 @@ void OffscreenDisplay::begin(FrameInfo& frame) {
   const int width = o.width / o.views;
   for (int i = 0; i < o.views; ++i) {
     View& view = frame.views[static_cast<std::size_t>(i)];
-    view = default_view({i * width, 0, width, o.height});
+    view = default_view({0, 0, width, o.height});
     if (o.views == 2) view.T_world_view.translation.x = (i - 0.5) * o.eye_distance_mm;
   }
 }

@@ -10,6 +10,7 @@ namespace onestroke {
 struct OffscreenOptions {
   /// Where the files go; made where it is missing. Empty: no files, for read_back() alone.
   std::filesystem::path directory{};
+  /// Of the whole picture, both views together.
   int width = 1280, height = 720;
   /// Frames per second of the time that the display pretends; it does not wait for it.
   double rate = 30;

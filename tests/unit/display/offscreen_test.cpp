@@ -1,6 +1,7 @@
 #include "display/offscreen.h"
 
 #include "core/error.h"
+#include "render/target.h"
 #include "display/film.h"
 #include "display/open_display.h"
 #include "display/png_file.h"
@@ -142,7 +143,10 @@ TEST_F(Offscreen, PlacesTwoEyesSideBySide) {
   ASSERT_EQ(frame.view_count, 2);
   EXPECT_EQ(frame.views[0].T_world_view.translation, (Vec3{-30, 0, 0}));
   EXPECT_EQ(frame.views[1].T_world_view.translation, (Vec3{30, 0, 0}));
-  EXPECT_EQ(frame.views[1].viewport.x, 100);
+  // Each eye has a layer of its own.
+  EXPECT_EQ(frame.target->layers, 2);
+  EXPECT_EQ(frame.target->width, 100);
+  EXPECT_EQ(frame.views[1].viewport.x, 0);
   EXPECT_EQ(frame.views[1].viewport.width, 100);
   EXPECT_DOUBLE_EQ(frame.views[0].fov.right / frame.views[0].fov.up, 100.0 / 80);
 }
@@ -151,6 +155,7 @@ TEST_F(Offscreen, RefusesWhatItCannotDo) {
   EXPECT_THROW(OffscreenDisplay({.width = 0}), UsageError);
   EXPECT_THROW(OffscreenDisplay({.rate = 0}), UsageError);
   EXPECT_THROW(OffscreenDisplay({.views = 3}), UsageError);
+  EXPECT_THROW(OffscreenDisplay({.width = 201, .views = 2}), UsageError);
   EXPECT_THROW(open_display("offscreen:", {}), UsageError);
   EXPECT_THROW(open_display("cinema", {}), UsageError);
 }

@@ -1,0 +1,99 @@
+#include "render/multiview_probe.h"
+
+#include "render/resources.h"
+#include "shaders/spirv.h"
+
+#include <algorithm>
+
+namespace onestroke {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Reach = vk::AccessFlagBits2;
+using Layout = vk::ImageLayout;
+
+constexpr auto format = vk::Format::eR8Unorm;
+constexpr std::uint32_t size = 4, views = 2, view_mask = 0b11;
+
+vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout) {
+  const auto module = [&device](std::span<const std::uint32_t> words) {
+    return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
+  };
+  const auto vertex = module(spirv::probe_vert()), fragment = module(spirv::probe_frag());
+  const std::array stages{
+      vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
+      vk::PipelineShaderStageCreateInfo{
+          .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
+  const vk::PipelineVertexInputStateCreateInfo input{};
+  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
+  const vk::Viewport viewport{0, 0, size, size, 0, 1};
+  const vk::Rect2D scissor{{0, 0}, {size, size}};
+  const vk::PipelineViewportStateCreateInfo viewports{
+      .viewportCount = 1, .pViewports = &viewport, .scissorCount = 1, .pScissors = &scissor};
+  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
+  const vk::PipelineMultisampleStateCreateInfo samples{.rasterizationSamples = vk::SampleCountFlagBits::e1};
+  const vk::PipelineColorBlendAttachmentState blend{.colorWriteMask = vk::ColorComponentFlagBits::eR};
+  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
+  const vk::PipelineRenderingCreateInfo rendering{
+      .viewMask = view_mask, .colorAttachmentCount = 1, .pColorAttachmentFormats = &format};
+  return device.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
+                                                      .stageCount = stages.size(),
+                                                      .pStages = stages.data(),
+                                                      .pVertexInputState = &input,
+                                                      .pInputAssemblyState = &assembly,
+                                                      .pViewportState = &viewports,
+                                                      .pRasterizationState = &raster,
+                                                      .pMultisampleState = &samples,
+                                                      .pColorBlendState = &blends,
+                                                      .layout = layout});
+}
+
+void draw(const vk::raii::CommandBuffer& commands, vk::Pipeline pipeline, const Image& image, const Buffer& bytes) {
+  const Access written{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
+  image_barrier(commands, image.handle(), {Layout::eUndefined, Layout::eColorAttachmentOptimal}, {}, written);
+  const vk::RenderingAttachmentInfo color{.imageView = image.view(),
+                                          .imageLayout = Layout::eColorAttachmentOptimal,
+                                          .loadOp = vk::AttachmentLoadOp::eClear,
+                                          .storeOp = vk::AttachmentStoreOp::eStore};
+  commands.beginRendering({.renderArea = {.extent = {size, size}},
+                           .layerCount = views,
+                           .viewMask = view_mask,
+                           .colorAttachmentCount = 1,
+                           .pColorAttachments = &color});
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+  commands.draw(3, 1, 0, 0);
+  commands.endRendering();
+  image_barrier(commands, image.handle(), {Layout::eColorAttachmentOptimal, Layout::eTransferSrcOptimal}, written,
+                {Stage::eAllTransfer, Reach::eTransferRead});
+  commands.copyImageToBuffer(
+      image.handle(), Layout::eTransferSrcOptimal, bytes.handle(),
+      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = views},
+                          .imageExtent = {size, size, 1}});
+  const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eAllTransfer,
+                                   .srcAccessMask = Reach::eTransferWrite,
+                                   .dstStageMask = Stage::eHost,
+                                   .dstAccessMask = Reach::eHostRead};
+  commands.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
+}
+
+}  // namespace
+
+bool multiview_works(Device& device) {
+  const Image image(device, {.format = format,
+                             .width = size,
+                             .height = size,
+                             .layers = views,
+                             .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
+  const Buffer bytes(device, size * size * views, vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
+  const auto layout = device.vk().createPipelineLayout({});
+  const auto pipeline = make_pipeline(device, *layout);
+  device.run_now([&](const vk::raii::CommandBuffer& commands) { draw(commands, *pipeline, image, bytes); });
+  const std::span seen(bytes.mapped(), bytes.size());
+  const auto shows = [](std::span<const std::byte> layer, int view) {
+    return std::all_of(layer.begin(), layer.end(), [view](std::byte b) { return b == std::byte(view + 1); });
+  };
+  return shows(seen.first(size * size), 0) && shows(seen.last(size * size), 1);
+}
+
+}  // namespace onestroke

@@ -1,0 +1,10 @@
+// What every stage that draws a frame sees.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_multiview : require
+#include "shared.h"
+
+// The views of this pass: all that it draws at once, or from the one that it draws.
+layout(set = 0, binding = BINDING_VIEWS, std140) uniform Views { ViewData views[PASS_VIEWS]; };
+layout(set = 0, binding = BINDING_SCENE, std140) uniform Scene { SceneData scene; };
+
+#define view views[gl_ViewIndex]
