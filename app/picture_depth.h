@@ -13,7 +13,7 @@ namespace onestroke {
 /// lost is eased out where it was last. One thread; allocates nothing after the constructor.
 class PictureDepth {
  public:
-  static constexpr Duration eases = Duration::from_ms(250);
+  static constexpr Duration eases = Duration::from_ms(150);
 
   /// The shelf outlives this.
   explicit PictureDepth(const ModelShelf& shelf) : shelf_(shelf) {}

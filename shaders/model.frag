@@ -9,6 +9,8 @@ layout(set = 1, binding = BINDING_NORMAL) uniform sampler2D normal_texture;
 layout(set = 1, binding = BINDING_OCCLUSION) uniform sampler2D occlusion_texture;
 layout(set = 1, binding = BINDING_EMISSIVE) uniform sampler2D emissive_texture;
 
+layout(set = 0, binding = BINDING_ROOM) uniform samplerCube room;
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
@@ -30,8 +32,14 @@ vec3 surface_normal() {
   return gl_FrontFacing ? n : -n;
 }
 
-// Light from a sky above and a ground below, blurred over the hemisphere around n.
-vec3 hemisphere(vec3 n) { return mix(scene.ground_color.rgb, scene.sky_color.rgb, 0.5 + 0.5 * n.y); }
+// What a white matt surface gives back of the room's light.
+vec3 matt(vec3 n) {
+  vec3 sum = scene.matt[0].rgb + scene.matt[1].rgb * n.y + scene.matt[2].rgb * n.z + scene.matt[3].rgb * n.x +
+             scene.matt[4].rgb * (n.x * n.y) + scene.matt[5].rgb * (n.y * n.z) +
+             scene.matt[6].rgb * (3.0 * n.z * n.z - 1.0) + scene.matt[7].rgb * (n.x * n.z) +
+             scene.matt[8].rgb * (n.x * n.x - n.y * n.y);
+  return max(sum, 0.0);
+}
 
 // Karis's fit of the split-sum table: the share of surrounding light that a rough surface mirrors.
 vec3 environment_share(vec3 f0, float roughness, float n_v) {
@@ -52,10 +60,43 @@ vec3 key_light(vec3 n, vec3 v, vec3 diffuse, vec3 f0, float roughness) {
   return (diffuse * (1.0 - fresnel) / pi + distribution * visibility * fresnel) * n_l * scene.key_color.rgb;
 }
 
+// What another model that is near leaves of the room's light (x) and of the key's (y). A ball of radius r at distance d
+// covers (r / d)^2 of the cosine-weighted sky round its direction (Quilez); a lamp's shadow has a soft edge.
+vec2 left_by_others(vec3 n) {
+  vec2 left = vec2(1.0);
+  for (int i = int(draw.shadow.x); i < int(draw.shadow.y); ++i) {
+    vec4 ball = scene.balls[i];
+    vec3 to = ball.xyz - position;
+    float d2 = max(dot(to, to), 1e-8), r2 = ball.w * ball.w;
+    left.x *= 1.0 - clamp(dot(n, to) * inversesqrt(d2), 0.0, 1.0) * min(r2 / d2, 1.0);
+    float ahead = dot(to, scene.key_direction.xyz);
+    float aside = sqrt(max(d2 - ahead * ahead, 0.0));
+    if (ahead > 0.0) left.y *= smoothstep(0.5 * ball.w, 1.5 * ball.w, aside);
+  }
+  return left;
+}
+
 // Keeps highlights from clipping: the identity up to 0.7, then towards 1.
 vec3 shoulder(vec3 c) {
   vec3 over = max(c - 0.7, 0.0);
   return min(c, 0.7) + 0.3 * (1.0 - exp(-over / 0.3));
+}
+
+// PCG, by Jarzynski and Olano 2020: three even numbers from three.
+uvec3 pcg(uvec3 v) {
+  v = v * 1664525u + 1013904223u;
+  v += v.yzx * v.zxy;
+  v ^= v >> 16u;
+  return v + v.yzx * v.zxy;
+}
+
+// The camera's noise, as large as its pixels; a sum of evenly spread numbers is nearly normal. Cameras code light to the
+// power of 1 / 2.2, so what is even in code is more light where there is more.
+vec3 with_grain(vec3 c) {
+  uvec3 a = pcg(uvec3(uvec2(gl_FragCoord.xy * scene.grain.x), uint(scene.grain.y)));
+  vec3 low = vec3(a & 0xffffu), high = vec3(a >> 16u);
+  vec3 noise = (low + high - 65535.0) / 26755.0;
+  return max(c + scene.tone.w * noise * 2.2 * pow(max(c, 0.002), vec3(0.5455)), 0.0);
 }
 
 void main() {
@@ -68,11 +109,15 @@ void main() {
 
   vec3 n = surface_normal(), v = normalize(view.eye.xyz - position);
   vec3 diffuse = base.rgb * (1.0 - metallic), f0 = mix(vec3(0.04), base.rgb, metallic);
-  vec3 ambient = diffuse * hemisphere(n) +
-                 environment_share(f0, roughness, clamp(dot(n, v), 0.0, 1.0)) * hemisphere(reflect(-v, n));
-  vec3 lit = ambient * occlusion + key_light(n, v, diffuse, f0, roughness) +
+  vec3 mirrored = textureLod(room, reflect(-v, n), roughness * ROOM_LAST_LEVEL).rgb;
+  vec3 ambient = diffuse * matt(n) + environment_share(f0, roughness, clamp(dot(n, v), 0.0, 1.0)) * mirrored;
+  vec2 left = left_by_others(n);
+  vec3 lit = ambient * occlusion * left.x + key_light(n, v, diffuse, f0, roughness) * left.y +
              texture(emissive_texture, uv).rgb * material.emissive.rgb;
   // Only a blended material lets its own alpha through.
   float alpha = (material.flags.y > 0.5 ? base.a : 1.0) * draw.tint.a;
-  color = vec4(shoulder(lit) * alpha, alpha);
+  // The camera shows no black that is darker than its own.
+  vec3 shown = scene.tone.rgb + shoulder(lit) * (1.0 - scene.tone.rgb);
+  if (scene.tone.w > 0.0) shown = with_grain(shown);
+  color = vec4(shown * alpha, alpha);
 }

@@ -23,6 +23,7 @@ using glm::vec4;
 #define BINDING_PICTURE 3
 #define BINDING_GLYPHS 4
 #define BINDING_LENS 5
+#define BINDING_ROOM 6
 #define BINDING_MATERIAL 0
 #define BINDING_BASE_COLOR 1
 #define BINDING_METALLIC_ROUGHNESS 2
@@ -42,8 +43,14 @@ using glm::vec4;
 #define QUAD_PLATE 0
 #define QUAD_GLYPH 1
 
+// Balls that stand for the models that take light from others.
+#define MOST_BALLS 32
+
 // Views that one pass draws at once.
 #define PASS_VIEWS 2
+
+// The last level of the room's cube map, that of roughness 1.
+#define ROOM_LAST_LEVEL 5.0
 
 // UnpackData.size.z
 #define UNPACK_RGB8 0
@@ -69,8 +76,10 @@ struct SceneData {
   vec4 picture_shape;      // width / height, 0, 0, 0
   vec4 key_direction;      // xyz: to the light, unit
   vec4 key_color;
-  vec4 sky_color;
-  vec4 ground_color;
+  vec4 matt[9];  // spherical harmonics of what a white matt surface gives back
+  vec4 tone;     // rgb: what the camera shows as black; w: the camera's noise at mid grey, coded
+  vec4 grain;    // camera pixels for a pixel of the view, seed, 0, 0
+  vec4 balls[MOST_BALLS];  // centre, radius
 };
 
 // A part of a model being drawn: push constants.
@@ -78,6 +87,7 @@ struct DrawData {
   vec4 model_rows[3];  // affine world_from_model
   vec4 tint;           // rgb factor on the base colour, a opacity
   vec4 clip_plane;     // kept where dot(plane.xyz, p) + plane.w >= 0, in the world; all zero keeps everything
+  vec4 shadow;         // which balls take light from it: the first, one past the last, 0, 0
 };
 
 struct MaterialData {
@@ -111,8 +121,8 @@ struct UnpackData {
 
 #ifdef __cplusplus
 static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 160);
-static_assert(offsetof(SceneData, key_direction) == 80 && sizeof(SceneData) == 144);
-static_assert(sizeof(DrawData) == 80 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 && sizeof(LineData) == 48);
+static_assert(offsetof(SceneData, key_direction) == 80 && sizeof(SceneData) == 800);
+static_assert(sizeof(DrawData) == 96 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 && sizeof(LineData) == 48);
 static_assert(sizeof(UnpackData) == 32);
 }  // namespace onestroke::gpu
 #endif

@@ -5,6 +5,7 @@
 #include "render/frame_scene.h"
 #include "render/overlay.h"
 #include "render/picture_store.h"
+#include "render/room_light.h"
 #include "render/view.h"
 
 namespace onestroke {
@@ -27,8 +28,17 @@ struct FrameData {
 /// Splits the views into passes: together in one where that can be, otherwise one for each.
 void plan_passes(FrameData& data, std::span<const View> views, bool together);
 
-/// Fills the arena.
-void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameScene& scene, std::span<const View> views,
-                const PictureStore& picture, const DepthSurface& surface, const Overlay& overlay);
+/// What goes into the arena.
+struct FrameParts {
+  const FrameScene& scene;
+  std::span<const View> views;
+  const PictureStore& picture;
+  const RoomLight& light;
+  const DepthSurface& surface;
+  const Overlay& overlay;
+  std::span<const gpu::vec4> balls;  ///< See ModelPass::balls().
+};
+
+void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts& parts);
 
 }  // namespace onestroke

@@ -26,8 +26,10 @@ Image make_glyphs(Device& device) {
 vk::raii::Sampler make_sampler(Device& device) {
   return device.vk().createSampler({.magFilter = vk::Filter::eLinear,
                                     .minFilter = vk::Filter::eLinear,
+                                    .mipmapMode = vk::SamplerMipmapMode::eLinear,
                                     .addressModeU = vk::SamplerAddressMode::eClampToEdge,
-                                    .addressModeV = vk::SamplerAddressMode::eClampToEdge});
+                                    .addressModeV = vk::SamplerAddressMode::eClampToEdge,
+                                    .maxLod = VK_LOD_CLAMP_NONE});
 }
 
 void set_viewport(const vk::raii::CommandBuffer& commands, const Viewport& v) {
@@ -81,7 +83,7 @@ void FrameRecorder::build_surface(const FrameScene& scene, const PictureStore& p
   if (data_.passthrough) surface_.build(picture.bounds(), scene.passthrough_segments, *scene.passthrough_distance);
 }
 
-void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture) const {
+void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture, const Lighting& lighting) const {
   using Type = vk::DescriptorType;
   const vk::Buffer arena = slot.arena.handle();
   const std::array buffers{vk::DescriptorBufferInfo{.buffer = arena, .range = PASS_VIEWS * sizeof(gpu::ViewData)},
@@ -90,9 +92,11 @@ void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture
   const auto sampled = [this](vk::ImageView view) {
     return vk::DescriptorImageInfo{*sampler_, view, Layout::eShaderReadOnlyOptimal};
   };
-  const std::array images{sampled(picture.view()), sampled(glyphs_.view()), sampled(picture.lens_view())};
+  const std::array images{sampled(picture.view()), sampled(glyphs_.view()), sampled(picture.lens_view()),
+                          sampled(lighting.view())};
   // The images have neighbouring bindings, so one write fills them all.
-  static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2);
+  static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2 &&
+                BINDING_ROOM == BINDING_PICTURE + 3);
   const auto buffer_write = [&](std::uint32_t binding, Type type, const vk::DescriptorBufferInfo& info) {
     return vk::WriteDescriptorSet{
         .dstSet = slot.set, .dstBinding = binding, .descriptorCount = 1, .descriptorType = type, .pBufferInfo = &info};
@@ -109,7 +113,7 @@ void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture
 }
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
-                           const RenderTarget& target, PictureStore& picture) {
+                           const RenderTarget& target, PictureStore& picture, Lighting& lighting) {
   plan_passes(data_, views, can_draw_together(views));
   const std::uint32_t view_mask = data_.passes.front().view_mask;
   const bool by_layer = view_mask == 0 && target.layers > 1;
@@ -118,8 +122,10 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
   overlay_.build(scene, views);
   picture.record(slot);
   build_surface(scene, picture);
-  fill_arena(data_, device_, slot.arena, scene, views, picture, surface_, overlay_);
-  write_set(slot, picture);
+  lighting.record(slot, scene);
+  fill_arena(data_, device_, slot.arena,
+             {scene, views, picture, lighting.light(), surface_, overlay_, models_.balls()});
+  write_set(slot, picture, lighting);
   targets_.open(slot.commands, target);
   for (const FramePass& pass : std::span(data_.passes).first(data_.pass_count))
     record_pass(slot, pass, views, target, data_.passthrough ? surround : scene.background);

@@ -4,6 +4,7 @@
 #include "render/frame_data.h"
 #include "render/frame_ring.h"
 #include "render/frame_targets.h"
+#include "render/lighting.h"
 #include "render/model_pass.h"
 #include "render/overlay.h"
 #include "render/picture_store.h"
@@ -20,13 +21,13 @@ class FrameRecorder {
   FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models, bool multiview);
 
   void record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views, const RenderTarget& target,
-              PictureStore& picture);
+              PictureStore& picture, Lighting& lighting);
 
  private:
   bool can_draw_together(std::span<const View> views);
   const Pipelines& pipelines_for(const RenderTarget& target, std::uint32_t view_mask);
   void build_surface(const FrameScene& scene, const PictureStore& picture);
-  void write_set(const FrameSlot& slot, const PictureStore& picture) const;
+  void write_set(const FrameSlot& slot, const PictureStore& picture, const Lighting& lighting) const;
   void record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
                    const RenderTarget& target, const Color& background);
   void record_passthrough(const FrameSlot& slot, const Pipelines& pipelines) const;

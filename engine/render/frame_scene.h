@@ -14,6 +14,8 @@ namespace onestroke {
 /// Linear red, green, blue and opacity, not premultiplied.
 struct Color {
   float r = 1, g = 1, b = 1, a = 1;
+
+  friend bool operator==(const Color&, const Color&) = default;
 };
 
 /// Column-major 4 x 4, as glm::value_ptr gives it.
@@ -72,12 +74,14 @@ struct Line {
   Color color{};
 };
 
-/// One key light over an even sky and ground. Directions in vision axes (y down).
+/// One key light over an even sky and ground, for what is drawn without a camera. Directions in vision axes (y down).
 struct Light {
   Vec3 to_key_world{-0.45, -0.8, -0.55};
   Color key{2.2F, 2.15F, 2.05F, 1};
   Color sky{0.39F, 0.42F, 0.47F, 1};
   Color ground{0.15F, 0.14F, 0.13F, 1};
+
+  friend bool operator==(const Light&, const Light&) = default;
 };
 
 /// Everything that one frame shows. Borrowed for the length of draw().
@@ -92,7 +96,10 @@ struct FrameScene {
   std::span<const Line> lines{};
   std::span<const Label> labels{};
   std::span<const HudText> hud{};
-  Light light{};
+  /// Without one, models stand in the light that the camera's pictures show, or before the first in Light{}.
+  std::optional<Light> light{};
+  /// Models get the noise of the camera's picture.
+  bool grain = true;
 };
 
 }  // namespace onestroke

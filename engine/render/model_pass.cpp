@@ -20,10 +20,13 @@ glm::vec3 centre_of(const GpuModel& model) {
   return sum / static_cast<float>(std::max<std::size_t>(model.parts.size(), 1));
 }
 
-gpu::DrawData data_of(const ModelInstance& instance) {
+gpu::DrawData data_of(const ModelInstance& instance, const BallRange& shadow) {
   const glm::mat4 rows = glm::transpose(matrix_of(instance));
   const Color& t = instance.tint;
-  gpu::DrawData data{.model_rows = {rows[0], rows[1], rows[2]}, .tint = {t.r, t.g, t.b, t.a}, .clip_plane = {}};
+  gpu::DrawData data{.model_rows = {rows[0], rows[1], rows[2]},
+                     .tint = {t.r, t.g, t.b, t.a},
+                     .clip_plane = {},
+                     .shadow = {static_cast<float>(shadow.first), static_cast<float>(shadow.end), 0.0F, 0.0F}};
   if (instance.clip_plane) {
     const ClipPlane& p = *instance.clip_plane;
     data.clip_plane = {p.a, p.b, p.c, p.d};
@@ -49,15 +52,15 @@ struct ModelPass::Recorder {
       commands.bindIndexBuffer(d.model->indices.handle(), 0, vk::IndexType::eUint32);
       bound_model = d.model;
     }
-    if (pushed != d.instance) push(*d.instance);
+    if (pushed != d.instance) push(*d.instance, d.shadow);
     const bool both_sides = part.double_sided || d.instance->clip_plane;
     commands.setCullMode(both_sides ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, layout, 1, d.model->materials[part.material], {});
     commands.drawIndexed(part.index_count, 1, part.first_index, 0, 0);
   }
 
-  void push(const ModelInstance& instance) {
-    const gpu::DrawData data = data_of(instance);
+  void push(const ModelInstance& instance, const BallRange& shadow) {
+    const gpu::DrawData data = data_of(instance, shadow);
     commands.pushConstants<gpu::DrawData>(layout, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment,
                                           0, data);
     // A mirroring matrix turns every triangle over.
@@ -71,16 +74,21 @@ void ModelPass::prepare(std::span<const ModelInstance> instances) {
   occluders_.clear();
   opaque_.clear();
   blended_.clear();
+  shadows_.clear();
+  for (const auto& instance : instances)
+    if (const GpuModel* model = store_.find(instance.model); model && !instance.occluder && instance.tint.a > 0)
+      shadows_.add(instance, model->balls);
   for (const auto& instance : instances) {
     const GpuModel* model = store_.find(instance.model);
     if (!model || instance.tint.a <= 0) continue;
+    const BallRange shadow = shadows_.nearest_other(instance);
     if (!instance.occluder && instance.tint.a < 1) {
-      blended_.push_back({.model = model, .instance = &instance});
+      blended_.push_back({.model = model, .instance = &instance, .shadow = shadow});
       continue;
     }
     for (const auto& part : model->parts) {
       auto& list = instance.occluder ? occluders_ : part.blends ? blended_ : opaque_;
-      list.push_back({.model = model, .part = &part, .instance = &instance});
+      list.push_back({.model = model, .part = &part, .instance = &instance, .shadow = shadow});
     }
   }
 }

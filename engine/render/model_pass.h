@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/contact_shadows.h"
 #include "render/model_store.h"
 #include "shaders/shared.h"
 
@@ -12,6 +13,8 @@ class ModelPass {
 
   /// Sorts the instances by how they are drawn. They must live until the frame is recorded.
   void prepare(std::span<const ModelInstance> instances);
+  /// Those of the models that stand near another, to be given to the shaders.
+  std::span<const gpu::vec4> balls() const { return shadows_.balls(); }
   /// Records one view, seen from `eye` (world, graphics axes).
   void record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
               const glm::vec3& eye);
@@ -21,6 +24,7 @@ class ModelPass {
     const GpuModel* model = nullptr;
     const GpuModel::Part* part = nullptr;  // null: every part of the model
     const ModelInstance* instance = nullptr;
+    BallRange shadow{};
     float distance = 0;
   };
 
@@ -28,6 +32,7 @@ class ModelPass {
   void record_blended(Recorder& recorder, const Pipelines& pipelines, const glm::vec3& eye);
 
   const ModelStore& store_;
+  ContactShadows shadows_;
   std::vector<Draw> occluders_, opaque_, blended_;
 };
 

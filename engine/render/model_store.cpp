@@ -96,6 +96,7 @@ ModelHandle ModelStore::load(const Model& model) {
   gpu->indices = upload_buffer(device_, std::as_bytes(std::span(model.indices)), vk::BufferUsageFlagBits::eIndexBuffer);
   for (const auto& image : model.images) gpu->images.push_back(upload_texture(device_, image));
   for (const auto& part : model.parts) gpu->parts.push_back(part_of(model, part));
+  gpu->balls = contact_balls(model);
   if (!model.materials.empty()) add_materials(*gpu, model);
 
   const auto vacant = std::find(models_.begin(), models_.end(), nullptr);

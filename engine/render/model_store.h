@@ -3,6 +3,7 @@
 #include "render/frame_scene.h"
 #include "render/pipelines.h"
 #include "render/resources.h"
+#include "scene/contact_balls.h"
 #include "scene/model.h"
 
 #include <glm/vec3.hpp>
@@ -23,6 +24,7 @@ struct GpuModel {
   vk::raii::DescriptorPool descriptors{nullptr};
   std::vector<vk::DescriptorSet> materials;
   std::vector<Part> parts;
+  std::vector<Ball> balls;  // see contact_balls()
 };
 
 class ModelStore {

@@ -132,6 +132,7 @@ void PictureStore::set(const Picture& p) {
   follow_lens(p);
   width_ = p.width;
   height_ = p.height;
+  sequence_ = p.sequence;
   push_ = {static_cast<std::uint32_t>(width_),
            static_cast<std::uint32_t>(height_),
            packing.format,

@@ -34,6 +34,7 @@ class PictureStore {
   const Pose& T_world_camera() const { return T_world_camera_; }
   int width() const { return width_; }
   int height() const { return height_; }
+  std::uint64_t sequence() const { return sequence_; }
 
  private:
   // One more than the frames in flight: the CPU fills one while the GPU may read the others.
@@ -60,6 +61,7 @@ class PictureStore {
   bool lens_pending_ = false;
   PlaneBounds bounds_;
   int width_ = 0, height_ = 0;
+  std::uint64_t sequence_ = 0;
   Intrinsics intrinsics_;
   Pose T_world_camera_;
 };

@@ -160,7 +160,8 @@ vk::raii::DescriptorSetLayout frame_layout(Device& device) {
       vk::DescriptorSetLayoutBinding{BINDING_SURFACE, Type::eStorageBuffer, 1, ShaderStage::eVertex},
       vk::DescriptorSetLayoutBinding{BINDING_PICTURE, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_GLYPHS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
+      vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_ROOM, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
   return make_set_layout(device, bindings);
 }
 

@@ -12,6 +12,7 @@ struct Renderer::Impl {
         layouts(*device),
         models(*device, layouts),
         picture(*device),
+        lighting(*device),
         recorder(*device, layouts, models, options.multiview),
         ring(*device, *layouts.frame) {}
 
@@ -19,6 +20,7 @@ struct Renderer::Impl {
   Layouts layouts;
   ModelStore models;
   PictureStore picture;
+  Lighting lighting;
   FrameRecorder recorder;
   FrameRing ring;  // last: its end waits for the GPU before the rest goes
   std::string failure;
@@ -43,6 +45,7 @@ void Renderer::unload(ModelHandle model) {
 
 void Renderer::set_picture(const Picture& picture) {
   impl_->picture.set(picture);
+  impl_->lighting.see(picture);
 }
 
 void Renderer::set_picture_pose(const Pose& T_world_camera) {
@@ -51,12 +54,13 @@ void Renderer::set_picture_pose(const Pose& T_world_camera) {
 
 void Renderer::clear_picture() {
   impl_->picture.clear();
+  impl_->lighting.forget();
 }
 
 bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
   try {
     FrameSlot& slot = impl_->ring.begin();
-    impl_->recorder.record(slot, scene, frame.seen(), *frame.target, impl_->picture);
+    impl_->recorder.record(slot, scene, frame.seen(), *frame.target, impl_->picture, impl_->lighting);
     impl_->ring.submit(*frame.target);
     return true;
   } catch (const vk::DeviceLostError&) {

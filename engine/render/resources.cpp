@@ -14,16 +14,19 @@ vk::ImageAspectFlags aspect_of(vk::Format format) {
   return format == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
 }
 
-vk::raii::ImageView make_view(Device& device, vk::Image image, vk::Format format, vk::ImageUsageFlags usage,
-                              std::uint32_t layers) {
+vk::raii::ImageView make_view(Device& device, vk::Image image, const ImageInfo& info, vk::Format format,
+                              vk::ImageUsageFlags usage) {
+  using Type = vk::ImageViewType;
   const vk::ImageViewUsageCreateInfo limit{.usage = usage};
   return device.vk().createImageView(
       {.pNext = &limit,
        .image = image,
-       .viewType = layers > 1 ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
+       .viewType = info.cube         ? Type::eCube
+                   : info.layers > 1 ? Type::e2DArray
+                                     : Type::e2D,
        .format = format,
        .subresourceRange = {
-           .aspectMask = aspect_of(format), .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = layers}});
+           .aspectMask = aspect_of(format), .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = info.layers}});
 }
 
 Buffer staging_of(Device& device, std::span<const std::byte> bytes) {
@@ -77,6 +80,7 @@ Image::Image(Device& device, const ImageInfo& info) : info_(info) {
   vk::ImageCreateFlags flags;
   // The second format need not support every use of the first.
   if (two) flags = vk::ImageCreateFlagBits::eMutableFormat | vk::ImageCreateFlagBits::eExtendedUsage;
+  if (info.cube) flags |= vk::ImageCreateFlagBits::eCubeCompatible;
   image_ = device.vk().createImage({.flags = flags,
                                     .imageType = vk::ImageType::e2D,
                                     .format = info.format,
@@ -87,8 +91,8 @@ Image::Image(Device& device, const ImageInfo& info) : info_(info) {
                                     .usage = info.usage});
   allocation_ = device.memory().allocate(image_.getMemoryRequirements(), MemoryPool::Use::device);
   image_.bindMemory(allocation_.memory(), allocation_.offset());
-  view_ = make_view(device, *image_, info.format, info.usage, info.layers);
-  if (two) second_view_ = make_view(device, *image_, info.second_format, vk::ImageUsageFlagBits::eSampled, info.layers);
+  view_ = make_view(device, *image_, info, info.format, info.usage);
+  if (two) second_view_ = make_view(device, *image_, info, info.second_format, vk::ImageUsageFlagBits::eSampled);
 }
 
 void image_barrier(const vk::raii::CommandBuffer& commands, vk::Image image, LayoutChange layout, Access before,

@@ -28,6 +28,7 @@ class Buffer {
 struct ImageInfo {
   vk::Format format = vk::Format::eUndefined;
   std::uint32_t width = 0, height = 0, mip_levels = 1, layers = 1;
+  bool cube = false;  ///< Six layers are the faces of a cube of directions.
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
   vk::ImageUsageFlags usage{};
   /// Also seen through a second format (an image that is stored to as UNORM and sampled as sRGB).
