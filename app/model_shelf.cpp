@@ -37,6 +37,12 @@ Loaded load(const std::filesystem::path& file, Renderer& renderer) {
   return {renderer.load(model), model.name, place, reach_of(model, place)};
 }
 
+std::vector<Vec3> ring_middles(const Shape& shape) {
+  std::vector<Vec3> middles;
+  for (int i = 0; i < shape.cells(); ++i) middles.push_back(shape.at((i + 0.5) * shape.pitch()).position);
+  return middles;
+}
+
 /// "bracket_v1" is "bracket v1" to a person.
 bool same_words(std::string a, std::string b) {
   std::ranges::replace(a, '_', ' ');
@@ -49,7 +55,12 @@ bool same_words(std::string a, std::string b) {
 ModelShelf::ModelShelf(const Catalog& catalog, const std::filesystem::path& folder, Renderer& renderer) {
   std::map<std::string, Loaded> loaded;
   for (const MarkerSpec& marker : catalog.markers) {
-    ShelfEntry entry{.marker_id = marker.id, .model = {}, .corners = marker.shape.vertices(), .rod = renderer.load(rod_mesh(marker.shape))};
+    ShelfEntry entry{.marker_id = marker.id,
+                     .model = {},
+                     .corners = marker.shape.vertices(),
+                     .cells = ring_middles(marker.shape),
+                     .radius = marker.shape.radius(),
+                     .rod = renderer.load(rod_mesh(marker.shape))};
     CarriedModel carried{marker.id, {}};
     if (!marker.model.empty()) {
       auto at = loaded.find(marker.model);

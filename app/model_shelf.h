@@ -20,6 +20,8 @@ struct ShelfEntry {
   /// No part of the model is farther from anchor_pivot, mm.
   double reach = 0;
   std::vector<Vec3> corners;  ///< Of the rod's straight axes, tip to tip; marker frame, mm.
+  std::vector<Vec3> cells;    ///< Middles of the rings, in order; marker frame, mm.
+  double radius = 0;          ///< Of the rod, mm.
   ModelHandle rod{};          ///< In the marker's frame, graphics axes; an occluder.
 };
 

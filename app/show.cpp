@@ -6,7 +6,11 @@
 namespace onestroke {
 
 Show::Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode)
-    : parts_(parts), feed_(parts.tracking, pace, mode), hands_(parts.shelf), status_(pace != FrameFeed::Pace::each) {}
+    : parts_(parts),
+      feed_(parts.tracking, pace, mode),
+      hands_(parts.shelf),
+      covered_(parts.shelf),
+      status_(pace != FrameFeed::Pace::each) {}
 
 void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say) {
   Display& display = parts_.display;
@@ -45,7 +49,7 @@ bool Show::press(Key key) {
 // The bytes are copied to the GPU here, so the buffer goes back to the camera at once.
 void Show::take_picture() {
   const PictureHandle picture = feed_.take_picture();
-  parts_.renderer.set_picture(*picture);
+  parts_.renderer.set_picture(*picture, covered_.find(feed_.record(), *picture));
   lens_ = {picture->intrinsics, picture->width, picture->height, picture->T_world_camera};
 }
 

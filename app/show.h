@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/covered_cells.h"
 #include "app/frame_feed.h"
 #include "app/model_shelf.h"
 #include "app/status_line.h"
@@ -52,6 +53,7 @@ class Show {
   Parts parts_;
   FrameFeed feed_;
   TwoHands hands_;
+  CoveredCells covered_;
   StatusLine status_;
   Lens lens_;
   bool paused_ = false;

@@ -24,6 +24,7 @@ using glm::vec4;
 #define BINDING_GLYPHS 4
 #define BINDING_LENS 5
 #define BINDING_ROOM 6
+#define BINDING_FINGERS 7
 #define BINDING_MATERIAL 0
 #define BINDING_BASE_COLOR 1
 #define BINDING_METALLIC_ROUGHNESS 2
@@ -73,7 +74,7 @@ struct SceneData {
   vec4 surface_grid;       // cells across, cells down, 0, 0
   vec4 picture_intrinsic;  // fx, fy, cx, cy over the picture's size
   vec4 lens_map;           // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
-  vec4 picture_shape;      // width / height, 0, 0, 0
+  vec4 picture_shape;      // width / height; texture coordinates of the finger matte over the picture's; 0
   vec4 key_direction;      // xyz: to the light, unit
   vec4 key_color;
   vec4 matt[9];  // spherical harmonics of what a white matt surface gives back
@@ -82,12 +83,13 @@ struct SceneData {
   vec4 balls[MOST_BALLS];  // centre, radius
 };
 
-// A part of a model being drawn: push constants.
+// A part of a model, or a finger, being drawn: push constants.
 struct DrawData {
   vec4 model_rows[3];  // affine world_from_model
   vec4 tint;           // rgb factor on the base colour, a opacity
   vec4 clip_plane;     // kept where dot(plane.xyz, p) + plane.w >= 0, in the world; all zero keeps everything
   vec4 shadow;         // which balls take light from it: the first, one past the last, 0, 0
+  vec4 finger;         // x: depth of a finger along the camera's axis, metres
 };
 
 struct MaterialData {
@@ -122,7 +124,7 @@ struct UnpackData {
 #ifdef __cplusplus
 static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 160);
 static_assert(offsetof(SceneData, key_direction) == 80 && sizeof(SceneData) == 800);
-static_assert(sizeof(DrawData) == 96 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 && sizeof(LineData) == 48);
+static_assert(sizeof(DrawData) == 112 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 && sizeof(LineData) == 48);
 static_assert(sizeof(UnpackData) == 32);
 }  // namespace onestroke::gpu
 #endif

@@ -4,6 +4,8 @@ namespace onestroke::spirv {
 
 namespace {
 
+#include "finger_frag.spv.h"
+#include "finger_vert.spv.h"
 #include "line_frag.spv.h"
 #include "line_vert.spv.h"
 #include "model_frag.spv.h"
@@ -23,6 +25,12 @@ std::span<const std::uint32_t> passthrough_vert() {
 }
 std::span<const std::uint32_t> passthrough_frag() {
   return passthrough_frag_words;
+}
+std::span<const std::uint32_t> finger_vert() {
+  return finger_vert_words;
+}
+std::span<const std::uint32_t> finger_frag() {
+  return finger_frag_words;
 }
 std::span<const std::uint32_t> probe_vert() {
   return probe_vert_words;

@@ -8,6 +8,8 @@ namespace onestroke::spirv {
 
 std::span<const std::uint32_t> passthrough_vert();
 std::span<const std::uint32_t> passthrough_frag();
+std::span<const std::uint32_t> finger_vert();
+std::span<const std::uint32_t> finger_frag();
 std::span<const std::uint32_t> probe_vert();
 std::span<const std::uint32_t> probe_frag();
 std::span<const std::uint32_t> unpack_comp();

@@ -49,6 +49,8 @@ gpu::SceneData scene_data(const FrameParts& parts) {
   set_light(data, parts.light);
   set_grain(data, parts);
   std::ranges::copy(parts.balls, data.balls);
+  data.picture_shape.y = parts.matte_from_picture[0];
+  data.picture_shape.z = parts.matte_from_picture[1];
   return data;
 }
 

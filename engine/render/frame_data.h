@@ -36,7 +36,8 @@ struct FrameParts {
   const RoomLight& light;
   const DepthSurface& surface;
   const Overlay& overlay;
-  std::span<const gpu::vec4> balls;  ///< See ModelPass::balls().
+  std::span<const gpu::vec4> balls;         ///< See ModelPass::balls().
+  std::array<float, 2> matte_from_picture;  ///< See FingerLayer.
 };
 
 void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts& parts);

@@ -83,7 +83,7 @@ void FrameRecorder::build_surface(const FrameScene& scene, const PictureStore& p
   if (data_.passthrough) surface_.build(picture.bounds(), scene.passthrough_segments, *scene.passthrough_distance);
 }
 
-void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture, const Lighting& lighting) const {
+void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
   using Type = vk::DescriptorType;
   const vk::Buffer arena = slot.arena.handle();
   const std::array buffers{vk::DescriptorBufferInfo{.buffer = arena, .range = PASS_VIEWS * sizeof(gpu::ViewData)},
@@ -92,11 +92,11 @@ void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture
   const auto sampled = [this](vk::ImageView view) {
     return vk::DescriptorImageInfo{*sampler_, view, Layout::eShaderReadOnlyOptimal};
   };
-  const std::array images{sampled(picture.view()), sampled(glyphs_.view()), sampled(picture.lens_view()),
-                          sampled(lighting.view())};
+  const std::array images{sampled(seen.picture.view()), sampled(glyphs_.view()), sampled(seen.picture.lens_view()),
+                          sampled(seen.lighting.view()), sampled(seen.fingers.view())};
   // The images have neighbouring bindings, so one write fills them all.
   static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2 &&
-                BINDING_ROOM == BINDING_PICTURE + 3);
+                BINDING_ROOM == BINDING_PICTURE + 3 && BINDING_FINGERS == BINDING_PICTURE + 4);
   const auto buffer_write = [&](std::uint32_t binding, Type type, const vk::DescriptorBufferInfo& info) {
     return vk::WriteDescriptorSet{
         .dstSet = slot.set, .dstBinding = binding, .descriptorCount = 1, .descriptorType = type, .pBufferInfo = &info};
@@ -113,36 +113,40 @@ void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture
 }
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
-                           const RenderTarget& target, PictureStore& picture, Lighting& lighting) {
+                           const RenderTarget& target, const Seen& seen) {
   plan_passes(data_, views, can_draw_together(views));
   const std::uint32_t view_mask = data_.passes.front().view_mask;
   const bool by_layer = view_mask == 0 && target.layers > 1;
   targets_.fit(target, by_layer ? FrameTargets::Way::by_layer : FrameTargets::Way::at_once, slot.graveyard);
   models_.prepare(scene.instances);
   overlay_.build(scene, views);
-  picture.record(slot);
-  build_surface(scene, picture);
-  lighting.record(slot, scene);
+  seen.picture.record(slot);
+  seen.lighting.record(slot, scene);
+  seen.fingers.record(slot);
+  build_surface(scene, seen.picture);
   fill_arena(data_, device_, slot.arena,
-             {scene, views, picture, lighting.light(), surface_, overlay_, models_.balls()});
-  write_set(slot, picture, lighting);
+             {scene, views, seen.picture, seen.lighting.light(), surface_, overlay_, models_.balls(),
+              seen.fingers.matte_from_picture(seen.picture.width(), seen.picture.height())});
+  write_set(slot, seen);
   targets_.open(slot.commands, target);
   for (const FramePass& pass : std::span(data_.passes).first(data_.pass_count))
-    record_pass(slot, pass, views, target, data_.passthrough ? surround : scene.background);
+    record_pass(slot, pass, views, target, scene, seen);
   targets_.close(slot.commands, target);
 }
 
 void FrameRecorder::record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
-                                const RenderTarget& target, const Color& background) {
+                                const RenderTarget& target, const FrameScene& scene, const Seen& seen) {
   const auto& commands = slot.commands;
   const Pipelines& pipelines = pipelines_for(target, pass.view_mask);
-  const auto seen = pass.view_mask ? views : views.subspan(pass.first_view, 1);
-  targets_.begin_pass(commands, target, pass.view_mask, background);
-  set_viewport(commands, seen.front().viewport);
+  const auto drawn = pass.view_mask ? views : views.subspan(pass.first_view, 1);
+  targets_.begin_pass(commands, target, pass.view_mask, data_.passthrough ? surround : scene.background);
+  set_viewport(commands, drawn.front().viewport);
   commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts_.pipeline, 0, slot.set,
                               static_cast<std::uint32_t>(pass.views_at));
   if (data_.passthrough) record_passthrough(slot, pipelines);
-  models_.record(commands, layouts_, pipelines, eye_of(seen));
+  models_.record(commands, layouts_, pipelines, eye_of(drawn));
+  if (data_.passthrough && scene.fingers)
+    seen.fingers.draw(commands, layouts_, pipelines, surface_, seen.picture.intrinsics());
   record_overlay(slot, pipelines);
   targets_.end_pass(commands, target, static_cast<std::uint32_t>(pass.first_view));
 }

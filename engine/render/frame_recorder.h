@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/depth_surface.h"
+#include "render/finger_layer.h"
 #include "render/frame_data.h"
 #include "render/frame_ring.h"
 #include "render/frame_targets.h"
@@ -20,16 +21,23 @@ class FrameRecorder {
   /// multiview: whether views that look through equal viewports are drawn in one pass, where the driver can do that.
   FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models, bool multiview);
 
+  /// What comes from the camera's picture.
+  struct Seen {
+    PictureStore& picture;
+    Lighting& lighting;
+    FingerLayer& fingers;
+  };
+
   void record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views, const RenderTarget& target,
-              PictureStore& picture, Lighting& lighting);
+              const Seen& seen);
 
  private:
   bool can_draw_together(std::span<const View> views);
   const Pipelines& pipelines_for(const RenderTarget& target, std::uint32_t view_mask);
   void build_surface(const FrameScene& scene, const PictureStore& picture);
-  void write_set(const FrameSlot& slot, const PictureStore& picture, const Lighting& lighting) const;
+  void write_set(const FrameSlot& slot, const Seen& seen) const;
   void record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
-                   const RenderTarget& target, const Color& background);
+                   const RenderTarget& target, const FrameScene& scene, const Seen& seen);
   void record_passthrough(const FrameSlot& slot, const Pipelines& pipelines) const;
   void record_overlay(const FrameSlot& slot, const Pipelines& pipelines) const;
 

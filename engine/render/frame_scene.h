@@ -92,7 +92,8 @@ struct FrameScene {
   /// Best the markers' axes: there the picture and what stands on it do not slide on each other in either eye.
   std::span<const DepthSegment> passthrough_segments{};
   /// A display that blends by itself wants no passthrough and a background of no light and no opacity: it gets
-  /// premultiplied colour and its opacity (XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND), or takes the colour alone (ADDITIVE).
+  /// premultiplied colour and its opacity (XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND), or takes the colour alone
+  /// (ADDITIVE).
   Color background{0.006F, 0.007F, 0.009F, 1};
   std::span<const ModelInstance> instances{};
   std::span<const Line> lines{};
@@ -100,6 +101,8 @@ struct FrameScene {
   std::span<const HudText> hud{};
   /// Without one, models stand in the light that the camera's pictures show, or before the first in Light{}.
   std::optional<Light> light{};
+  /// Fingers that cover a stick are in front of what stands behind them.
+  bool fingers = true;
   /// Models get the noise of the camera's picture.
   bool grain = true;
 };

@@ -23,10 +23,10 @@ glm::vec3 centre_of(const GpuModel& model) {
 gpu::DrawData data_of(const ModelInstance& instance, const BallRange& shadow) {
   const glm::mat4 rows = glm::transpose(matrix_of(instance));
   const Color& t = instance.tint;
-  gpu::DrawData data{.model_rows = {rows[0], rows[1], rows[2]},
-                     .tint = {t.r, t.g, t.b, t.a},
-                     .clip_plane = {},
-                     .shadow = {static_cast<float>(shadow.first), static_cast<float>(shadow.end), 0.0F, 0.0F}};
+  gpu::DrawData data{};
+  std::copy_n(&rows[0], 3, data.model_rows);
+  data.tint = {t.r, t.g, t.b, t.a};
+  data.shadow = {static_cast<float>(shadow.first), static_cast<float>(shadow.end), 0.0F, 0.0F};
   if (instance.clip_plane) {
     const ClipPlane& p = *instance.clip_plane;
     data.clip_plane = {p.a, p.b, p.c, p.d};

@@ -127,6 +127,15 @@ Recipe model_recipe(bool writes_color, bool blends) {
           .sets_culling = true};
 }
 
+Recipe finger_recipe() {
+  return {.vertex = spirv::finger_vert(),
+          .fragment = spirv::finger_frag(),
+          .bindings = {},
+          .attributes = {},
+          .tests_depth = true,
+          .blends = true};
+}
+
 Recipe line_recipe() {
   return {.vertex = spirv::line_vert(),
           .fragment = spirv::line_frag(),
@@ -161,7 +170,8 @@ vk::raii::DescriptorSetLayout frame_layout(Device& device) {
       vk::DescriptorSetLayoutBinding{BINDING_PICTURE, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_GLYPHS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_ROOM, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
+      vk::DescriptorSetLayoutBinding{BINDING_ROOM, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_FINGERS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
   return make_set_layout(device, bindings);
 }
 
@@ -197,6 +207,7 @@ Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, 
       model(make_pipeline({device, layouts, target, view_mask}, model_recipe(true, false))),
       model_blend(make_pipeline({device, layouts, target, view_mask}, model_recipe(true, true))),
       model_depth(make_pipeline({device, layouts, target, view_mask}, model_recipe(false, false))),
+      finger(make_pipeline({device, layouts, target, view_mask}, finger_recipe())),
       line(make_pipeline({device, layouts, target, view_mask}, line_recipe())),
       quad(make_pipeline({device, layouts, target, view_mask}, quad_recipe(true))),
       quad_on_top(make_pipeline({device, layouts, target, view_mask}, quad_recipe(false))) {}

@@ -25,6 +25,7 @@ struct Pipelines {
   vk::raii::Pipeline model;        ///< Writes depth; culling and front face are set while recording.
   vk::raii::Pipeline model_blend;  ///< Premultiplied over what is there; does not write depth.
   vk::raii::Pipeline model_depth;  ///< Depth alone.
+  vk::raii::Pipeline finger;       ///< As model_blend.
   vk::raii::Pipeline line;
   vk::raii::Pipeline quad;
   vk::raii::Pipeline quad_on_top;  ///< Without a depth test.

@@ -13,6 +13,7 @@ struct Renderer::Impl {
         models(*device, layouts),
         picture(*device),
         lighting(*device),
+        fingers(*device),
         recorder(*device, layouts, models, options.multiview),
         ring(*device, *layouts.frame) {}
 
@@ -21,6 +22,7 @@ struct Renderer::Impl {
   ModelStore models;
   PictureStore picture;
   Lighting lighting;
+  FingerLayer fingers;
   FrameRecorder recorder;
   FrameRing ring;  // last: its end waits for the GPU before the rest goes
   std::string failure;
@@ -43,9 +45,10 @@ void Renderer::unload(ModelHandle model) {
   impl_->models.unload(model, impl_->ring.current().graveyard);
 }
 
-void Renderer::set_picture(const Picture& picture) {
+void Renderer::set_picture(const Picture& picture, std::span<const CoveredCell> covered) {
   impl_->picture.set(picture);
   impl_->lighting.see(picture);
+  impl_->fingers.find(picture, covered);
 }
 
 void Renderer::set_picture_pose(const Pose& T_world_camera) {
@@ -55,12 +58,13 @@ void Renderer::set_picture_pose(const Pose& T_world_camera) {
 void Renderer::clear_picture() {
   impl_->picture.clear();
   impl_->lighting.forget();
+  impl_->fingers.clear();
 }
 
 bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
   try {
     FrameSlot& slot = impl_->ring.begin();
-    impl_->recorder.record(slot, scene, frame.seen(), *frame.target, impl_->picture, impl_->lighting);
+    impl_->recorder.record(slot, scene, frame.seen(), *frame.target, {impl_->picture, impl_->lighting, impl_->fingers});
     impl_->ring.submit(*frame.target);
     return true;
   } catch (const vk::DeviceLostError&) {

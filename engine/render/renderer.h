@@ -2,6 +2,7 @@
 
 #include "core/picture.h"
 #include "render/display.h"
+#include "render/finger_matte.h"
 #include "render/frame_scene.h"
 
 #include <memory>
@@ -31,8 +32,8 @@ class Renderer {
 
   /// The camera picture for the frames from now on, at its own T_world_camera. The bytes are copied before this
   /// returns. Throws Error where the picture is not sound or a larger one finds no memory; never for pictures of the
-  /// size seen before.
-  void set_picture(const Picture& picture);
+  /// size seen before. `covered` are the rings of sticks that something covers in it, for FrameScene::fingers.
+  void set_picture(const Picture& picture, std::span<const CoveredCell> covered = {});
   /// The pose at which the picture was taken, where it is known better than when set_picture was called.
   void set_picture_pose(const Pose& T_world_camera);
   void clear_picture();

@@ -1,0 +1,91 @@
+#include "render/finger_layer.h"
+
+#include "render/lens_map.h"
+#include "scene/frames.h"
+#include "shaders/shared.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace onestroke {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Reach = vk::AccessFlagBits2;
+using Layout = vk::ImageLayout;
+
+constexpr std::uint32_t side = FingerMatte::side;
+
+/// Cells of the surface, from first to before end.
+struct Cells {
+  std::uint32_t first, end;
+};
+
+Cells cells_between(double from, double to, double first, double step, int count) {
+  const auto clamped = [count](double at) {
+    return static_cast<std::uint32_t>(std::clamp(at, 0.0, static_cast<double>(count)));
+  };
+  return {clamped(std::floor((from - first) / step)), clamped(std::ceil((to - first) / step))};
+}
+
+}  // namespace
+
+FingerLayer::FingerLayer(Device& device)
+    : image_(device, {.format = vk::Format::eR8Unorm,
+                      .width = side,
+                      .height = side,
+                      .usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst}) {
+  for (Buffer& buffer : staging_)
+    buffer = Buffer(device, std::uint64_t{side} * side, vk::BufferUsageFlagBits::eTransferSrc, MemoryPool::Use::upload);
+}
+
+void FingerLayer::find(const Picture& picture, std::span<const CoveredCell> cells) {
+  matte_.find(picture, cells);
+  pending_ = pending_ || !matte_.fingers().empty();
+}
+
+std::array<float, 2> FingerLayer::matte_from_picture(int width, int height) const {
+  const double texels = double{side} * matte_.scale();
+  return {static_cast<float>(width / texels), static_cast<float>(height / texels)};
+}
+
+void FingerLayer::record(FrameSlot& slot) {
+  if (!pending_) return;
+  pending_ = false;
+  Buffer& staging = staging_[next_];
+  next_ = (next_ + 1) % slots;
+  std::memcpy(staging.mapped(), matte_.alpha().data(), matte_.alpha().size());
+  const Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
+  const Access write{Stage::eAllTransfer, Reach::eTransferWrite};
+  image_barrier(slot.commands, image_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, sample, write);
+  slot.commands.copyBufferToImage(
+      staging.handle(), image_.handle(), Layout::eTransferDstOptimal,
+      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
+                          .imageExtent = {side, side, 1}});
+  image_barrier(slot.commands, image_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, write,
+                sample);
+}
+
+void FingerLayer::draw(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
+                       const DepthSurface& surface, const Intrinsics& k) const {
+  if (matte_.fingers().empty()) return;
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.finger);
+  const PlaneBounds& b = surface.bounds();
+  const double across = (b.right - b.left) / surface.columns_used(), down = (b.bottom - b.top) / surface.rows_used();
+  for (const FingerMatte::Finger& f : matte_.fingers()) {
+    const auto [left, top] = without_lens(k, f.left, f.top);
+    const auto [right, bottom] = without_lens(k, f.right, f.bottom);
+    // A lens bends the edges of the rectangle by less than a cell.
+    const Cells columns = cells_between(left - across, right + across, b.left, across, surface.columns_used());
+    const Cells rows = cells_between(top - down, bottom + down, b.top, down, surface.rows_used());
+    if (columns.first >= columns.end || rows.first >= rows.end) continue;
+    gpu::DrawData data{};
+    data.finger.x = static_cast<float>(f.depth * metres_per_millimetre);
+    commands.pushConstants<gpu::DrawData>(
+        *layouts.pipeline, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0, data);
+    commands.draw(2 * (columns.end - columns.first + 1), rows.end - rows.first, 2 * columns.first, rows.first);
+  }
+}
+
+}  // namespace onestroke
