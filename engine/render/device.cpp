@@ -16,7 +16,8 @@ Device::Device(const GpuOptions& options)
       anisotropy_(physical_.getFeatures().samplerAnisotropy && properties_.deviceType != vk::PhysicalDeviceType::eCpu),
       device_(create_device(physical_, queue_family_, options)),
       queue_(device_, queue_family_, 0),
-      memory_(device_, physical_) {}
+      memory_(device_, physical_),
+      pipeline_cache_(device_, properties_, options.cache_folder) {}
 
 std::string Device::name() const {
   const auto chain = physical_.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();

@@ -2,6 +2,7 @@
 
 #include "render/gpu.h"
 #include "render/memory.h"
+#include "render/pipeline_cache.h"
 #include "render/vulkan.h"
 
 namespace onestroke {
@@ -18,6 +19,8 @@ class Device {
   const vk::raii::Queue& queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
   MemoryPool& memory() { return memory_; }
+  /// For every pipeline that is made.
+  const vk::raii::PipelineCache& pipeline_cache() const { return pipeline_cache_.vk(); }
   /// Limits and names.
   const vk::PhysicalDeviceProperties& properties() const { return properties_; }
   bool anisotropy() const { return anisotropy_; }
@@ -49,6 +52,7 @@ class Device {
   vk::raii::Device device_;
   vk::raii::Queue queue_;
   MemoryPool memory_;
+  PipelineCache pipeline_cache_;
 };
 
 }  // namespace onestroke

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,9 +24,12 @@ struct GpuOptions {
   bool validation = false;
   /// Where given, counts validation's warnings and errors, to the very end; it outlives the Gpu and all made from it.
   std::atomic<int>* validation_messages = nullptr;
-  /// An index into the list of devices, or part of a name; empty takes a discrete GPU before an integrated one before
-  /// the CPU.
+  /// An index into the list of devices, or part of a name, in capitals or not; empty takes a discrete GPU before an
+  /// integrated one before the CPU.
   std::string gpu{};
+  /// The folder that keeps compiled pipelines from run to run, so that later runs start sooner; empty for none. It need
+  /// not be there, nor be writable.
+  std::filesystem::path cache_folder{};
 };
 
 /// The GPU: instance, device, queue and memory. One thread uses it, and all that is made from it, at a time. Displays

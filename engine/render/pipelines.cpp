@@ -86,18 +86,18 @@ vk::raii::Pipeline make_pipeline(Device& device, const Layouts& layouts, vk::For
                                                     .pDynamicStates = dynamic.data()};
   const vk::PipelineRenderingCreateInfo rendering{
       .colorAttachmentCount = 1, .pColorAttachmentFormats = &color, .depthAttachmentFormat = depth_format};
-  return device.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
-                                                      .stageCount = stages.size(),
-                                                      .pStages = stages.data(),
-                                                      .pVertexInputState = &input,
-                                                      .pInputAssemblyState = &assembly,
-                                                      .pViewportState = &viewport,
-                                                      .pRasterizationState = &raster,
-                                                      .pMultisampleState = &multisample,
-                                                      .pDepthStencilState = &depth,
-                                                      .pColorBlendState = &blends,
-                                                      .pDynamicState = &dynamics,
-                                                      .layout = *layouts.pipeline});
+  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
+                                                                      .stageCount = stages.size(),
+                                                                      .pStages = stages.data(),
+                                                                      .pVertexInputState = &input,
+                                                                      .pInputAssemblyState = &assembly,
+                                                                      .pViewportState = &viewport,
+                                                                      .pRasterizationState = &raster,
+                                                                      .pMultisampleState = &multisample,
+                                                                      .pDepthStencilState = &depth,
+                                                                      .pColorBlendState = &blends,
+                                                                      .pDynamicState = &dynamics,
+                                                                      .layout = *layouts.pipeline});
 }
 
 Recipe passthrough_recipe() {

@@ -76,6 +76,19 @@ TEST_F(RunProgram, MarkersWithoutAModelAreShownAllTheSame) {
   EXPECT_EQ(count_of(folder / "a", ".png"), 8);
 }
 
+TEST_F(RunProgram, KeepsItsPipelinesForTheNextRun) {
+  cache = folder / "cache";
+  for (int i = 0; i < 2; ++i) {
+    const Ended ended = run(small + "--display offscreen:a --frames 2");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "");
+    EXPECT_EQ(count_of(cache / "onestroke", ".bin"), 1);
+  }
+  write("file", "in the way");
+  cache = folder / "file";
+  EXPECT_EQ(run(small + "--display offscreen:a --frames 2").code, 0);
+}
+
 TEST_F(RunProgram, SaysWhatIsWrong) {
   const Ended usage = run("run --fresh");
   EXPECT_EQ(usage.code, 2);
