@@ -39,6 +39,9 @@ inline constexpr const char* display =
     "Where to show it: window or offscreen:DIR (numbered pictures). Default: a window where there "
     "is a "
     "display, otherwise off-screen";
+inline constexpr const char* gpu =
+    "Which GPU draws: part of its name, or its number in the list that a wrong name prints. Default: a graphics card "
+    "before a chip in the processor before the processor itself";
 inline constexpr const char* run_catalog =
     "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON. Default: the demo's own";
 inline constexpr const char* mode =

@@ -1,7 +1,8 @@
+#include "app/run_command.h"
+
 #include "app/cache_folder.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
-#include "app/run_command.h"
 #include "app/show.h"
 #include "app/source.h"
 #include "core/error.h"
@@ -85,7 +86,10 @@ int run_command(const RunOptions& options, std::ostream& out) {
   const std::unique_ptr<Camera> camera = open_source(source_for(options.source, offscreen), catalog);
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
   const std::unique_ptr<Display> display = open_display(spec, {.rate = rate});
-  Gpu gpu({.needs = display->needs(), .validation = set("ONESTROKE_VALIDATION"), .cache_folder = cache_folder()});
+  Gpu gpu({.needs = display->needs(),
+           .validation = set("ONESTROKE_VALIDATION"),
+           .gpu = options.gpu,
+           .cache_folder = cache_folder()});
   display->attach(gpu);
   Renderer renderer(gpu);
   const ModelShelf shelf(catalog, file.parent_path(), renderer);

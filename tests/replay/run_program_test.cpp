@@ -107,7 +107,10 @@ TEST_F(RunProgram, SaysWhatIsWrong) {
   const Ended window = run("run --display window");
   EXPECT_EQ(window.code, 1);
   EXPECT_THAT(window.err, HasSubstr("--display offscreen:DIR"));
-  for (const Ended& ended : {catalog, assets, model, window})
+  const Ended gpu = run("run --gpu nothing --display offscreen:a");
+  EXPECT_EQ(gpu.code, 1);
+  EXPECT_THAT(gpu.err, AllOf(HasSubstr("no GPU is called \"nothing\""), HasSubstr("of 0 ")));
+  for (const Ended& ended : {catalog, assets, model, window, gpu})
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }
 
