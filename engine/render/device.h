@@ -26,6 +26,14 @@ class Device {
   bool anisotropy() const { return anisotropy_; }
   std::string name() const;
 
+  /// Hands work to the GPU; the fence, where one is given, tells when it is done. Throws vk::DeviceLostError where the
+  /// GPU is lost.
+  void submit(const vk::SubmitInfo2& work, vk::Fence done = {});
+  /// Waits for a fence. Throws likewise.
+  void wait(vk::Fence done) const;
+  /// Waits until the GPU has nothing to do, which is at once where it is lost: before what it may use goes away.
+  void wait_idle() const noexcept;
+
   /// Writes into the command buffer, submits it and waits: for loading, never for frames.
   template <typename Record>
   void run_now(Record&& record) {
@@ -42,6 +50,8 @@ class Device {
  private:
   void submit_and_wait(vk::CommandBuffer commands);
 
+  LossRehearsal* rehearsal_;
+  bool lost_ = false;  // in rehearsal
   vk::raii::Context context_;
   vk::raii::Instance instance_;
   vk::raii::DebugUtilsMessengerEXT messenger_;

@@ -18,6 +18,15 @@ struct GpuNeeds {
   VulkanHooks* hooks = nullptr;
 };
 
+/// For tests: a GPU that is lost, as far as the program can tell.
+struct LossRehearsal {
+  /// Counts down with every submission of work; the one that brings it to 0 is refused, and so is all after it on the
+  /// same Gpu. Nothing is lost from 0 on.
+  std::atomic<int> submissions{0};
+  /// Whether what was submitted before is lost as well; otherwise it is still done.
+  std::atomic<bool> work_too{false};
+};
+
 struct GpuOptions {
   GpuNeeds needs{};
   /// Turns on Khronos validation with synchronisation validation; its words go to standard error.
@@ -30,6 +39,8 @@ struct GpuOptions {
   /// The folder that keeps compiled pipelines from run to run, so that later runs start sooner; empty for none. It need
   /// not be there, nor be writable.
   std::filesystem::path cache_folder{};
+  /// Null but in tests; outlives the Gpu and all made from it.
+  LossRehearsal* rehearsal = nullptr;
 };
 
 /// The GPU: instance, device, queue and memory. One thread uses it, and all that is made from it, at a time. Displays
