@@ -54,7 +54,7 @@ inline constexpr const char* run_examples = R"(Examples:
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
 
-Keys in a window: L links the two models or parts them again, H hides the words, Space pauses, Q or Escape ends.)";
+Keys in a window: L links the two models or parts them again, H hides words and figures, Space pauses, Q or Escape ends.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

@@ -6,7 +6,12 @@
 namespace onestroke {
 
 Show::Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode)
-    : parts_(parts), feed_(parts.tracking, pace, mode), hands_(parts.shelf), status_(pace != FrameFeed::Pace::each) {}
+    : parts_(parts),
+      clocked_(pace == FrameFeed::Pace::newest),
+      feed_(parts.tracking, pace, mode),
+      hands_(parts.shelf),
+      hud_words_(pace != FrameFeed::Pace::each),
+      status_(pace != FrameFeed::Pace::each) {}
 
 void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say) {
   Display& display = parts_.display;
@@ -60,11 +65,30 @@ void Show::stand_at_camera(FrameInfo& frame) const {
   }
 }
 
+void Show::measure(const FrameInfo& frame, bool new_picture) {
+  const FrameRecord& record = feed_.record();
+  std::optional<Duration> age;
+  if (clocked_ && record.time.ns != 0) age = frame.time - record.time;
+  meter_.update({.record = record,
+                 .new_picture = new_picture,
+                 .left_out = parts_.tracking.pictures_dropped() + parts_.tracking.frames_dropped(),
+                 .age = age,
+                 .now = Time::now()});
+}
+
 bool Show::draw(FrameInfo& frame, bool new_picture) {
   stand_at_camera(frame);
-  const std::uint64_t dropped = parts_.tracking.pictures_dropped() + parts_.tracking.frames_dropped();
-  const std::string_view status = status_.update(feed_.record(), new_picture, dropped, Time::now());
-  return parts_.renderer.draw(hands_.update(feed_.record(), feed_.now(), frame.seen(), status), frame);
+  measure(frame, new_picture);
+  const FrameRecord& record = feed_.record();
+  // A panel on a desk; before the eyes a line is enough.
+  const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
+  const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
+  FrameScene scene = hands_.update(record, feed_.now(), frame.seen(), status);
+  if (desktop && hands_.words()) {
+    hud_words_.update(record, meter_.figures());
+    scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
+  }
+  return parts_.renderer.draw(scene, frame);
 }
 
 }  // namespace onestroke

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/desktop_hud.h"
 #include "app/frame_feed.h"
+#include "app/frame_meter.h"
 #include "app/model_shelf.h"
 #include "app/status_line.h"
 #include "app/two_hands.h"
@@ -48,10 +50,15 @@ class Show {
   bool draw(FrameInfo& frame, bool new_picture);
   void take_picture();
   void stand_at_camera(FrameInfo& frame) const;
+  void measure(const FrameInfo& frame, bool new_picture);
 
   Parts parts_;
+  const bool clocked_;  // pictures come with the time on the display's clock
   FrameFeed feed_;
   TwoHands hands_;
+  FrameMeter meter_;
+  HudWords hud_words_;
+  DesktopHud hud_;
   StatusLine status_;
   Lens lens_;
   bool paused_ = false;

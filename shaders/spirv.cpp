@@ -4,6 +4,8 @@ namespace onestroke::spirv {
 
 namespace {
 
+#include "imgui_frag.spv.h"
+#include "imgui_vert.spv.h"
 #include "line_frag.spv.h"
 #include "line_vert.spv.h"
 #include "model_frag.spv.h"
@@ -42,6 +44,12 @@ std::span<const std::uint32_t> line_vert() {
 }
 std::span<const std::uint32_t> line_frag() {
   return line_frag_words;
+}
+std::span<const std::uint32_t> imgui_vert() {
+  return imgui_vert_words;
+}
+std::span<const std::uint32_t> imgui_frag() {
+  return imgui_frag_words;
 }
 
 }  // namespace onestroke::spirv

@@ -102,7 +102,8 @@ FrameRecorder::FrameRecorder(Device& device, const Layouts& layouts, const Model
       layouts_(layouts),
       models_(models),
       sampler_(make_sampler(device)),
-      glyphs_(make_glyphs(device)) {}
+      glyphs_(make_glyphs(device)),
+      gui_(device, glyphs_, *sampler_) {}
 
 void FrameRecorder::fit(const RenderTarget& target, Graveyard& graveyard) {
   const auto format = static_cast<vk::Format>(target.format);
@@ -111,6 +112,7 @@ void FrameRecorder::fit(const RenderTarget& target, Graveyard& graveyard) {
     // Displays keep their format, so this waits only when a second display takes turns with the first.
     if (pipelines_) device_.vk().waitIdle();
     pipelines_.emplace(device_, layouts_, format);
+    gui_.fit(format);
   }
   if (color_ && color_.info().format == format && color_.info().width == width && color_.info().height == height)
     return;
@@ -134,8 +136,8 @@ void FrameRecorder::fill_arena(FrameSlot& slot, const FrameScene& scene, std::sp
   const std::uint64_t alignment =
       std::max<std::uint64_t>(device_.properties().limits.minUniformBufferOffsetAlignment, 16);
   view_step_ = (sizeof(gpu::ViewData) + alignment - 1) / alignment * alignment;
-  slot.arena.begin(device_,
-                   view_step_ * max_views + overlay_.quads().size_bytes() + overlay_.lines().size_bytes() + 64);
+  slot.arena.begin(device_, view_step_ * max_views + overlay_.quads().size_bytes() + overlay_.lines().size_bytes() +
+                                64 + ImguiPass::bytes_of(scene.gui));
   bool first = true;
   for (const auto& view : views) {
     gpu::ViewData data{};
@@ -150,6 +152,7 @@ void FrameRecorder::fill_arena(FrameSlot& slot, const FrameScene& scene, std::sp
   }
   quads_at_ = slot.arena.put(overlay_.quads());
   lines_at_ = slot.arena.put(overlay_.lines());
+  gui_.put(slot.arena, scene.gui);
 }
 
 void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture) {
@@ -185,6 +188,7 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
   open_target(slot.commands, target, color_, depth_);
   begin_rendering(slot.commands, target, color_, depth_, scene.background);
   record_views(slot, views, picture.shown() && scene.passthrough_distance);
+  if (views.size() == 1) gui_.record(slot.commands, slot.arena.handle(), views.front().viewport, scene.gui);
   slot.commands.endRendering();
   close_target(slot.commands, target);
 }

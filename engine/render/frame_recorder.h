@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/frame_ring.h"
+#include "render/imgui_pass.h"
 #include "render/model_pass.h"
 #include "render/overlay.h"
 #include "render/picture_store.h"
@@ -31,6 +32,7 @@ class FrameRecorder {
   Overlay overlay_;
   vk::raii::Sampler sampler_;
   Image glyphs_, color_, depth_;
+  ImguiPass gui_;
   std::optional<Pipelines> pipelines_;
   // Offsets in the frame's arena.
   std::uint64_t views_at_ = 0, view_step_ = 0, quads_at_ = 0, lines_at_ = 0;

@@ -28,9 +28,10 @@ vk::raii::Semaphore make_timeline(Device& device) {
 void Arena::begin(Device& device, std::uint64_t bytes) {
   used_ = 0;
   if (buffer_.size() >= bytes) return;
-  buffer_ =
-      Buffer(device, std::max(smallest_arena, bytes * 2),
-             vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eVertexBuffer, MemoryPool::Use::upload);
+  buffer_ = Buffer(device, std::max(smallest_arena, bytes * 2),
+                   vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eVertexBuffer |
+                       vk::BufferUsageFlagBits::eIndexBuffer,
+                   MemoryPool::Use::upload);
 }
 
 FrameRing::FrameRing(Device& device, vk::DescriptorSetLayout set_layout)

@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+struct ImDrawData;
+
 namespace onestroke {
 
 /// Linear red, green, blue and opacity, not premultiplied.
@@ -90,6 +92,8 @@ struct FrameScene {
   std::span<const Label> labels{};
   std::span<const HudText> hud{};
   Light light{};
+  /// What Gui laid out, over all else; drawn where there is one view. None where it is null.
+  const ImDrawData* gui = nullptr;
 };
 
 }  // namespace onestroke
