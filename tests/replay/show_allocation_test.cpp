@@ -36,14 +36,11 @@ TEST(Show, AllocatesNothingOnceWarm) {
                                    .catalog = &catalog});
   {
     OffscreenDisplay display({.width = 320, .height = 240});
-    Gpu gpu({.needs = display.needs()});
-    display.attach(gpu);
-    Renderer renderer(gpu);
-    const ModelShelf shelf(catalog, assets, renderer);
-    make_room_for_words(display, renderer);
+    Graphics graphics(display, {.catalog = catalog, .folder = assets, .gpu = {}});
+    make_room_for_words(display, graphics.renderer());
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
-    Show show({display, renderer, tracking, shelf}, FrameFeed::Pace::each, PictureTime::exposure);
+    Show show({display, graphics, tracking}, FrameFeed::Pace::each, PictureTime::exposure);
     std::size_t shown = 0;
     long before = 0;
     show.run({.pictures = 40}, [&](std::size_t pictures) {
