@@ -25,7 +25,7 @@ class Album {
   std::string check(const std::string& name, const Picture& actual, Tolerance tolerance) const;
 
  private:
-  std::string bless(const std::string& name, const Picture& actual) const;
+  std::string bless(const std::string& name, const Picture& actual, Tolerance forgiven) const;
   std::string differs(const std::string& name, const Picture& expected, const Picture& actual,
                       const Comparison& comparison) const;
   std::filesystem::path file_of(const std::string& name) const { return folders_.pictures / (name + ".png"); }
