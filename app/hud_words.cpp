@@ -1,5 +1,7 @@
 #include "app/hud_words.h"
 
+#include <algorithm>
+
 namespace onestroke {
 namespace {
 
@@ -30,7 +32,11 @@ void describe(const MarkerObservation& seen, HudWords::Marker& words) {
 
 void HudWords::update(const FrameRecord& record, const FrameFigures& figures) {
   marker_count_ = figure_count_ = 0;
-  for (const MarkerObservation& seen : record.seen()) describe(seen, markers_[marker_count_++]);
+  std::array<const MarkerObservation*, max_markers_per_frame> order{};
+  std::size_t count = 0;
+  for (const MarkerObservation& seen : record.seen()) order[count++] = &seen;
+  std::ranges::sort(std::span(order).first(count), {}, &MarkerObservation::id);
+  for (const MarkerObservation* seen : std::span(order).first(count)) describe(*seen, markers_[marker_count_++]);
   if (rates_)
     figures_[figure_count_++].print("%.0f pictures/s · %.0f frames/s · %llu left out", figures.pictures_a_second,
                                     figures.frames_a_second, static_cast<unsigned long long>(figures.left_out));

@@ -24,7 +24,7 @@ class HudWords {
   /// Once a frame.
   void update(const FrameRecord& record, const FrameFigures& figures);
 
-  /// In the record's order.
+  /// By their ids, so that rows stand still as markers come and go.
   std::span<const Marker> markers() const { return {markers_.data(), marker_count_}; }
   /// Lines, in the order in which they are read.
   std::span<const Text> figures() const { return {figures_.data(), figure_count_}; }

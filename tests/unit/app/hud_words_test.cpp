@@ -10,6 +10,7 @@ namespace {
 void add(FrameRecord& record, const std::string& name, MarkerState state, int cells, Vec3 at) {
   MarkerObservation& m = record.markers[static_cast<std::size_t>(record.marker_count++)];
   std::copy(name.begin(), name.end(), m.name.begin());
+  m.id = record.marker_count;
   m.state = state;
   m.cells_seen = cells;
   m.T_camera_marker.translation = at;
@@ -48,6 +49,15 @@ TEST(HudWords, SayARowAMarker) {
   record.marker_count = 0;
   words.update(record, figures);
   EXPECT_TRUE(words.markers().empty());
+}
+
+TEST(HudWords, KeepTheRowsInTheOrderOfTheirIds) {
+  FrameRecord record;
+  for (const char* name : {"one", "two", "three"}) add(record, name, MarkerState::measured, 30, {0, 0, 400});
+  std::swap(record.markers[0], record.markers[2]);
+  HudWords words(true);
+  words.update(record, figures);
+  for (std::size_t i = 0; const char* name : {"one", "two", "three"}) EXPECT_EQ(words.markers()[i++].name.view(), name);
 }
 
 TEST(HudWords, SayHowTheShowGoes) {
