@@ -25,7 +25,6 @@ class Graphics {
   /// Both stay where they are when they are made again.
   Renderer& renderer() { return *renderer_; }
   const ModelShelf& shelf() const { return *shelf_; }
-  std::string gpu_name() const { return gpu_->name(); }
 
   /// Lets all of it go and makes it anew, after the GPU was lost; pictures must be set again. Throws Error.
   void rebuild();

@@ -56,9 +56,6 @@ void set_style(ImGuiStyle& style, float em) {
   style.AntiAliasedLinesUseTex = false;
   style.WindowBorderSize = 0;
   style.WindowRounding = 0.36F * em;
-  style.WindowPadding = {0.6F * em, 0.5F * em};
-  style.ItemSpacing = {0.6F * em, 0.25F * em};
-  style.CellPadding = {0.3F * em, 0.12F * em};
   style.WindowMinSize = {1, 1};
 }
 

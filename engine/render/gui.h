@@ -17,8 +17,8 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Widgets (imgui.h) may follow, until end(), for a view of so many pixels. `text_px` is the font's size; lengths of
-  /// the widgets' style are in proportion to it.
+  /// Widgets (imgui.h) may follow, until end(), for a view of so many pixels. `text_px` is the font's size; windows'
+  /// corners are rounded in proportion.
   void begin(int width, int height, double text_px);
   /// Lives until the next begin(). Allocates nothing once as much has been laid out before.
   const ImDrawData& end();

@@ -52,5 +52,24 @@ TEST(Show, AllocatesNothingOnceWarm) {
   }
 }
 
+TEST(DesktopHud, AllocatesNothingAfterItsConstructor) {
+  DesktopHud hud;
+  HudWords words(true);
+  FrameRecord record;
+  for (MarkerObservation& m : record.markers) {
+    m.name.fill('m');
+    m.name.back() = 0;
+    m.state = MarkerState::measured;
+  }
+  const long before = allocations_of_this_thread();
+  for (int i = 0; i < 200; ++i) {
+    // Markers come and go, figures grow, and the window changes its size.
+    record.marker_count = i % (max_markers_per_frame + 1);
+    words.update(record, {.tracker_ms = i * 10.0, .frames_a_second = i * 5.0, .age = Duration::from_ms(i * 50)});
+    hud.lay_out(words, {0, 0, 300 + 9 * i, 200 + 7 * i});
+  }
+  EXPECT_EQ(allocations_of_this_thread(), before);
+}
+
 }  // namespace
 }  // namespace onestroke

@@ -62,6 +62,12 @@ TEST(DesktopHud, GrowsWithTheHeightOfTheView) {
   EXPECT_NEAR((large.bottom - large.top) / (small.bottom - small.top), 2, 0.02);
 }
 
+TEST(DesktopHud, FitsNarrowViews) {
+  DesktopHud hud;
+  for (const Viewport& view : {Viewport{0, 0, 320, 240}, Viewport{0, 0, 200, 400}, Viewport{0, 0, 500, 2000}})
+    EXPECT_LT(box_of(hud.lay_out(words_for(3), view)).right, static_cast<float>(view.width));
+}
+
 TEST(DesktopHud, HasARowAMarkerFromTheFirstFrameOn) {
   DesktopHud hud;
   const auto height = [&hud](int markers) {
