@@ -37,6 +37,10 @@ CLI::Validator whole_number(int low, int high) {
   });
 }
 
+CLI::Validator not_empty() {
+  return check([](const std::string& text) { return text.empty() ? "it must not be empty" : std::string(); });
+}
+
 /// `word`, or `word:` and more: needs[i] says whether more must, may or may not follow.
 enum class More { none, may, must };
 struct Form {
@@ -79,6 +83,7 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("--display", options.display, help::display)
       ->type_name("SPEC")
       ->check(one_of({{"window", More::none}, {"offscreen", More::must}}, "window or offscreen:DIR"));
+  run.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
   run.add_option("--catalog", options.catalog, help::run_catalog)->type_name("FILE");
   const std::map<std::string, PictureTime> modes{{"exposure", PictureTime::exposure}, {"fresh", PictureTime::fresh}};
   run.add_option_function<std::string>(

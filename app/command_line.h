@@ -22,6 +22,7 @@ struct RunOptions {
   SourceOptions source;
   std::string display;  ///< window or offscreen:DIR; empty for a window where there is a display, else off-screen
   std::filesystem::path catalog;  ///< Empty for the demo's own.
+  std::string gpu;                ///< Part of its name, or its number; empty for the fastest.
   PictureTime mode = PictureTime::exposure;
   std::optional<int> frames;      ///< Stop after so many pictures.
   std::optional<double> seconds;  ///< Stop after so long.

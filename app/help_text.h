@@ -39,6 +39,9 @@ inline constexpr const char* display =
     "Where to show it: window or offscreen:DIR (numbered pictures). Default: a window where there "
     "is a "
     "display, otherwise off-screen";
+inline constexpr const char* gpu =
+    "Which GPU draws: part of its name, or its number in the list that a wrong name prints. Default: a graphics card "
+    "before a chip in the processor before the processor itself";
 inline constexpr const char* run_catalog =
     "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON. Default: the demo's own";
 inline constexpr const char* mode =
@@ -51,7 +54,7 @@ inline constexpr const char* run_examples = R"(Examples:
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
 
-Keys in a window: L links the two models or parts them again, H hides the words, Space pauses, Q or Escape ends.)";
+Keys in a window: L links the two models or parts them again, H hides words and figures, Space pauses, Q or Escape ends.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

@@ -1,5 +1,6 @@
 #include "app/run_command.h"
 
+#include "app/cache_folder.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/show.h"
@@ -75,6 +76,15 @@ std::size_t pictures_expected(const ShowLimits& limits, const Camera& camera) {
   return length == 0 ? limits.pictures : std::min(limits.pictures, length);
 }
 
+/// After an error, which is the one to be told: what was filmed so far can be played.
+void finish_all_the_same(Display& display) noexcept {
+  try {
+    display.finish();
+  } catch (const std::exception&) {
+    // Of two errors the first.
+  }
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options, std::ostream& out) {
@@ -85,10 +95,11 @@ int run_command(const RunOptions& options, std::ostream& out) {
   const std::unique_ptr<Camera> camera = open_source(source_for(options.source, offscreen), catalog);
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
   const std::unique_ptr<Display> display = open_display(spec, {.rate = rate});
-  Gpu gpu({.needs = display->needs(), .validation = set("ONESTROKE_VALIDATION")});
-  display->attach(gpu);
-  Renderer renderer(gpu);
-  const ModelShelf shelf(catalog, file.parent_path(), renderer);
+  Graphics graphics(
+      *display,
+      {.catalog = catalog,
+       .folder = file.parent_path(),
+       .gpu = {.validation = set("ONESTROKE_VALIDATION"), .gpu = options.gpu, .cache_folder = cache_folder()}});
   const ShowLimits limits = limits_for(options, *camera, offscreen);
   const std::size_t expected = pictures_expected(limits, *camera);
 
@@ -98,10 +109,13 @@ int run_command(const RunOptions& options, std::ostream& out) {
   TrackingThread tracking(
       *camera, tracker,
       pace == FrameFeed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
-  {
+  try {
     Progress progress(!offscreen);
-    Show show({*display, renderer, tracking, shelf}, pace, options.mode);
+    Show show({*display, graphics, tracking}, pace, options.mode);
     show.run(limits, [&](std::size_t pictures) { progress.say(pictures, expected, " shown"); });
+  } catch (const std::exception&) {
+    finish_all_the_same(*display);
+    throw;
   }
   display->finish();
   for (const std::string& line : display->report()) out << line << '\n';

@@ -3,37 +3,66 @@
 #include "app/interrupt.h"
 #include "core/error.h"
 
+#include <cmath>
+#include <string>
+
 namespace onestroke {
 
 Show::Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode)
     : parts_(parts),
+      clocked_(pace == FrameFeed::Pace::newest),
       feed_(parts.tracking, pace, mode),
-      hands_(parts.shelf),
-      covered_(parts.shelf),
+      hands_(parts.graphics.shelf()),
+      covered_(parts.graphics.shelf()),
+      hud_words_(pace != FrameFeed::Pace::each),
       status_(pace != FrameFeed::Pace::each) {}
 
 void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say) {
   Display& display = parts_.display;
   FrameInfo frame;
   Time began;
-  bool going = true, failed = false;
-  for (std::size_t pictures = 0, frames = 0; going && !display.closed() && !interrupted(); ++frames) {
+  bool going = true, again = false;
+  for (std::size_t pictures = 0, frames = 0; (going || again) && !display.closed() && !interrupted(); ++frames) {
     for (const Key key : display.poll()) going = press(key) && going;
     display.begin(frame);
     if (frames == 0) began = frame.time;
     FrameFeed::Next next = FrameFeed::Next::same;
-    if (!paused_) next = feed_.advance(frame.time, interrupted);
-    if (next == FrameFeed::Next::end || frame.time - began >= limits.length) {
+    if (!again && !paused_) next = feed_.advance(frame.time, interrupted);
+    const bool over = !again && (next == FrameFeed::Next::end || frame.time - began >= limits.length);
+    if (over) {
       frame.should_render = going = false;
     } else if (next == FrameFeed::Next::picture) {
       take_picture();
       say(++pictures);
       going = going && pictures < limits.pictures;
     }
-    if (frame.should_render) failed = !draw(frame, next == FrameFeed::Next::picture);
-    display.end(frame);
-    if (failed) throw Error(parts_.renderer.failure());
+    show(frame, next == FrameFeed::Next::picture);
+    // A frame that went with the GPU is drawn once more.
+    again = !over && lost();
+    if (again) recover(frame.time);
   }
+}
+
+/// Draws where the display wants it, and shows what was drawn.
+void Show::show(FrameInfo& frame, bool new_picture) {
+  const bool failed = frame.should_render && !draw(frame, new_picture);
+  if (failed) frame.should_render = false;
+  parts_.display.end(frame);
+  const Renderer& renderer = parts_.graphics.renderer();
+  if (failed && !renderer.lost()) throw Error(renderer.failure());
+}
+
+bool Show::lost() const {
+  return parts_.graphics.renderer().lost() || parts_.display.gpu_lost();
+}
+
+void Show::recover(Time now) {
+  if (lost_at_ && now - *lost_at_ < lost_again_within)
+    throw Error("the GPU was lost twice within " + std::to_string(std::lround(lost_again_within.seconds())) +
+                " seconds: update its driver, or choose another with --gpu");
+  lost_at_ = now;
+  parts_.graphics.rebuild();
+  if (picture_) parts_.graphics.renderer().set_picture(*picture_, covered_.find(feed_.record(), *picture_));
 }
 
 bool Show::press(Key key) {
@@ -46,11 +75,10 @@ bool Show::press(Key key) {
   return key != Key{'q'} && key != Key::escape;
 }
 
-// The bytes are copied to the GPU here, so the buffer goes back to the camera at once.
 void Show::take_picture() {
-  const PictureHandle picture = feed_.take_picture();
-  parts_.renderer.set_picture(*picture, covered_.find(feed_.record(), *picture));
-  lens_ = {picture->intrinsics, picture->width, picture->height, picture->T_world_camera};
+  picture_ = feed_.take_picture();
+  parts_.graphics.renderer().set_picture(*picture_, covered_.find(feed_.record(), *picture_));
+  lens_ = {picture_->intrinsics, picture_->width, picture_->height, picture_->T_world_camera};
 }
 
 // Without a head to follow, the eye stands where the camera stood, and sees what the camera saw.
@@ -64,11 +92,30 @@ void Show::stand_at_camera(FrameInfo& frame) const {
   }
 }
 
+void Show::measure(const FrameInfo& frame, bool new_picture) {
+  const FrameRecord& record = feed_.record();
+  std::optional<Duration> age;
+  if (clocked_ && record.time.ns != 0) age = frame.time - record.time;
+  meter_.update({.record = record,
+                 .new_picture = new_picture,
+                 .left_out = parts_.tracking.pictures_dropped() + parts_.tracking.frames_dropped(),
+                 .age = age,
+                 .now = Time::now()});
+}
+
 bool Show::draw(FrameInfo& frame, bool new_picture) {
   stand_at_camera(frame);
-  const std::uint64_t dropped = parts_.tracking.pictures_dropped() + parts_.tracking.frames_dropped();
-  const std::string_view status = status_.update(feed_.record(), new_picture, dropped, Time::now());
-  return parts_.renderer.draw(hands_.update(feed_.record(), feed_.now(), frame.seen(), status), frame);
+  measure(frame, new_picture);
+  const FrameRecord& record = feed_.record();
+  // A panel on a desk; before the eyes a line is enough.
+  const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
+  const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
+  FrameScene scene = hands_.update(record, feed_.now(), frame.seen(), status);
+  if (desktop && hands_.words()) {
+    hud_words_.update(record, meter_.figures());
+    scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
+  }
+  return parts_.graphics.renderer().draw(scene, frame);
 }
 
 }  // namespace onestroke

@@ -1,15 +1,17 @@
 #pragma once
 
 #include "app/covered_cells.h"
+#include "app/desktop_hud.h"
 #include "app/frame_feed.h"
-#include "app/model_shelf.h"
+#include "app/frame_meter.h"
+#include "app/graphics.h"
 #include "app/status_line.h"
 #include "app/two_hands.h"
 #include "render/display.h"
-#include "render/renderer.h"
 
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace onestroke {
 
@@ -20,21 +22,24 @@ struct ShowLimits {
 };
 
 /// The render loop: frame after frame, the newest of the feed, seen by the display's views. Nothing in it throws on its
-/// own account, waits for a lock or allocates once pictures of the same size have come.
+/// own account, waits for a lock or allocates once pictures of the same size have come. Where the GPU is lost, all that
+/// is on it is made again, and the show goes on with the frame that was lost.
 class Show {
  public:
+  /// A GPU that is lost again so soon, by the display's clock, will not stay.
+  static constexpr Duration lost_again_within = Duration::from_seconds(10);
+
   /// All outlive the show.
   struct Parts {
     Display& display;
-    Renderer& renderer;
+    Graphics& graphics;
     TrackingThread& tracking;
-    const ModelShelf& shelf;
   };
 
   Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode);
 
   /// Until the feed or a limit ends it, the display closes, or somebody asks. `say` hears how many pictures were shown.
-  /// Throws Error where the GPU cannot go on.
+  /// Throws Error where the GPU cannot go on, or was lost for the second time within a short while.
   void run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say);
 
  private:
@@ -47,15 +52,25 @@ class Show {
 
   bool press(Key key);
   bool draw(FrameInfo& frame, bool new_picture);
+  void show(FrameInfo& frame, bool new_picture);
+  bool lost() const;
+  void recover(Time now);
   void take_picture();
   void stand_at_camera(FrameInfo& frame) const;
+  void measure(const FrameInfo& frame, bool new_picture);
 
   Parts parts_;
+  const bool clocked_;  // pictures come with the time on the display's clock
   FrameFeed feed_;
   TwoHands hands_;
   CoveredCells covered_;
+  FrameMeter meter_;
+  HudWords hud_words_;
+  DesktopHud hud_;
   StatusLine status_;
+  PictureHandle picture_;  // the one that is shown, for a GPU that has not seen it
   Lens lens_;
+  std::optional<Time> lost_at_;
   bool paused_ = false;
 };
 

@@ -1,28 +1,25 @@
 #pragma once
 
-#include "core/frame_record.h"
+#include "app/frame_meter.h"
 #include "scene/text.h"
 
 #include <string_view>
 
 namespace onestroke {
 
-/// The line at the foot of the screen: how long the tracker takes, and how many pictures and frames come a second.
-/// Counts over half a second and more; allocates nothing.
+/// The line at the foot of the screen where DesktopHud has no place: how long the tracker takes, and how many pictures
+/// and frames come a second. Allocates nothing.
 class StatusLine {
  public:
   /// rates: false leaves them out, where frames come as fast as they can be drawn.
   explicit StatusLine(bool rates) : rates_(rates) {}
 
-  /// Once a frame. `now` is the clock on the wall.
-  std::string_view update(const FrameRecord& record, bool new_picture, std::uint64_t dropped, Time now);
+  /// Once a frame.
+  std::string_view update(const FrameFigures& figures);
 
  private:
   const bool rates_;
   Text line_;
-  Time since_;
-  int pictures_ = 0, frames_ = 0;
-  double tracker_ms_ = 0, pictures_a_second_ = 0, frames_a_second_ = 0;
 };
 
 }  // namespace onestroke

@@ -21,6 +21,7 @@ class TwoHands {
 
   void toggle_link() { comparison_.toggle(); }
   void toggle_words() { words_ = !words_; }
+  bool words() const { return words_; }
 
   /// The scene of one frame: where the record's markers were, seen through these views. `now` does not go back.
   /// `status` is a line for the foot of the screen and may be empty. What is returned lives until the next call.

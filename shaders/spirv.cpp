@@ -6,6 +6,8 @@ namespace {
 
 #include "finger_frag.spv.h"
 #include "finger_vert.spv.h"
+#include "imgui_frag.spv.h"
+#include "imgui_vert.spv.h"
 #include "line_frag.spv.h"
 #include "line_vert.spv.h"
 #include "model_frag.spv.h"
@@ -58,6 +60,12 @@ std::span<const std::uint32_t> line_vert() {
 }
 std::span<const std::uint32_t> line_frag() {
   return line_frag_words;
+}
+std::span<const std::uint32_t> imgui_vert() {
+  return imgui_vert_words;
+}
+std::span<const std::uint32_t> imgui_frag() {
+  return imgui_frag_words;
 }
 
 }  // namespace onestroke::spirv

@@ -19,5 +19,7 @@ std::span<const std::uint32_t> quad_vert();
 std::span<const std::uint32_t> quad_frag();
 std::span<const std::uint32_t> line_vert();
 std::span<const std::uint32_t> line_frag();
+std::span<const std::uint32_t> imgui_vert();
+std::span<const std::uint32_t> imgui_frag();
 
 }  // namespace onestroke::spirv

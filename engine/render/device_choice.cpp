@@ -3,6 +3,7 @@
 #include "render/vulkan_hooks.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -46,14 +47,33 @@ std::string list_of(const std::vector<vk::raii::PhysicalDevice>& devices) {
   return text;
 }
 
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// By its number, or else the first whose name has the words in it, in capitals or not. Names have numbers in them too.
 std::optional<std::size_t> find_named(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted) {
   std::size_t index = 0;
   const auto* end = wanted.data() + wanted.size();
   if (const auto parsed = std::from_chars(wanted.data(), end, index); parsed.ec == std::errc{} && parsed.ptr == end)
-    return index < devices.size() ? std::optional(index) : std::nullopt;
+    if (index < devices.size()) return index;
   for (std::size_t i = 0; i < devices.size(); ++i)
-    if (std::string(devices[i].getProperties().deviceName.data()).find(wanted) != std::string::npos) return i;
+    if (lower_case(devices[i].getProperties().deviceName.data()).find(lower_case(wanted)) != std::string::npos)
+      return i;
   return std::nullopt;
+}
+
+const vk::raii::PhysicalDevice& choose_named(const std::vector<vk::raii::PhysicalDevice>& devices,
+                                             const GpuOptions& options) {
+  const std::string called = "no GPU is called \"" + options.gpu + "\": ";
+  if (devices.empty()) throw Error(called + "there is none; install mesa-vulkan-drivers or the GPU's driver");
+  const auto named = find_named(devices, options.gpu);
+  if (!named) throw Error(called + "give --gpu a number or part of a name of " + list_of(devices));
+  const std::string lacking = shortfall(devices[*named], options);
+  if (!lacking.empty())
+    throw Error("GPU \"" + options.gpu + "\" cannot be used, " + lacking + ": choose another of " + list_of(devices));
+  return devices[*named];
 }
 
 }  // namespace
@@ -61,13 +81,7 @@ std::optional<std::size_t> find_named(const std::vector<vk::raii::PhysicalDevice
 vk::raii::PhysicalDevice choose_device(const vk::raii::Instance& instance, const GpuOptions& options) {
   if (options.needs.hooks) return {instance, options.needs.hooks->choose_device(*instance)};
   auto devices = vk::raii::PhysicalDevices(instance);
-  if (!options.gpu.empty()) {
-    const auto named = find_named(devices, options.gpu);
-    if (!named) throw Error("no GPU is called \"" + options.gpu + "\": there are " + list_of(devices));
-    const std::string lacking = shortfall(devices[*named], options);
-    if (!lacking.empty()) throw Error("GPU \"" + options.gpu + "\" cannot be used, " + lacking + ": choose another");
-    return devices[*named];
-  }
+  if (!options.gpu.empty()) return choose_named(devices, options);
   std::stable_sort(devices.begin(), devices.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
   std::string reasons;
   for (auto& device : devices) {

@@ -53,10 +53,13 @@ class Display {
   virtual ~Display() = default;
 
   virtual GpuNeeds needs() const = 0;
-  /// Makes surface and images. Called once, before the first begin(). Throws Error.
+  /// Makes surface and images, before the first begin(). Called again, with another Gpu and after everything else that
+  /// was made from the first is gone, where that was lost: the show goes on, its clock and its files with it. Throws
+  /// Error.
   virtual void attach(Gpu& gpu) = 0;
 
-  /// Waits for the time to draw the next frame. Every begin() is followed by one end() with the same info.
+  /// Waits for the time to draw the next frame. Every begin() is followed by one end() with the same info, where
+  /// should_render may have become false: nothing was drawn then.
   virtual void begin(FrameInfo& frame) = 0;
   /// Shows what was drawn. Neither throws; a display that cannot go on closes, and finish() says why.
   virtual void end(const FrameInfo& frame) = 0;
@@ -64,6 +67,8 @@ class Display {
   /// Keys pressed since the last call; valid until the next. Also where a window takes notice of the world.
   virtual std::span<const Key> poll() = 0;
   virtual bool closed() const = 0;
+  /// True where the GPU was lost while the display used it: no frame is rendered until attach() brings another.
+  virtual bool gpu_lost() const { return false; }
   /// True where views follow the wearer's head and must not be moved.
   virtual bool tracks_head() const = 0;
 

@@ -77,7 +77,7 @@ void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts&
   constexpr std::uint64_t largest_gap = 256;
   arena.begin(device, max_views * (PASS_VIEWS * sizeof(gpu::ViewData) + largest_gap) + sizeof(gpu::SceneData) +
                           parts.surface.inverse_depths().size_bytes() + parts.overlay.quads().size_bytes() +
-                          parts.overlay.lines().size_bytes() + 4 * largest_gap);
+                          parts.overlay.lines().size_bytes() + 4 * largest_gap + ImguiPass::bytes_of(parts.scene.gui));
   for (FramePass& pass : std::span(data.passes).first(data.pass_count)) {
     std::array<gpu::ViewData, PASS_VIEWS> seen{};
     const std::size_t count = pass.view_mask ? parts.views.size() : 1;

@@ -3,6 +3,7 @@
 #include "render/depth_surface.h"
 #include "render/frame_ring.h"
 #include "render/frame_scene.h"
+#include "render/imgui_pass.h"
 #include "render/overlay.h"
 #include "render/picture_store.h"
 #include "render/room_light.h"
@@ -40,6 +41,7 @@ struct FrameParts {
   std::array<float, 2> matte_from_picture;  ///< See FingerLayer.
 };
 
+/// Leaves room behind for ImguiPass::put().
 void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts& parts);
 
 }  // namespace onestroke

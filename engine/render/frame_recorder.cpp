@@ -55,7 +55,8 @@ FrameRecorder::FrameRecorder(Device& device, const Layouts& layouts, const Model
       models_(models),
       targets_(device),
       sampler_(make_sampler(device)),
-      glyphs_(make_glyphs(device)) {}
+      glyphs_(make_glyphs(device)),
+      gui_(device, glyphs_, *sampler_) {}
 
 bool FrameRecorder::can_draw_together(std::span<const View> views) {
   if (!multiview_ || views.size() < 2) return false;
@@ -74,6 +75,7 @@ const Pipelines& FrameRecorder::pipelines_for(const RenderTarget& target, std::u
     // Displays keep their format, so this waits only when a second display takes turns with the first.
     if (pipelines) device_.vk().waitIdle();
     pipelines.emplace(device_, layouts_, format, view_mask);
+    if (view_mask == 0) gui_.fit(format);
   }
   return *pipelines;
 }
@@ -127,6 +129,7 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
   fill_arena(data_, device_, slot.arena,
              {scene, views, seen.picture, seen.lighting.light(), surface_, overlay_, models_.balls(),
               seen.fingers.matte_from_picture(seen.picture.width(), seen.picture.height())});
+  gui_.put(slot.arena, scene.gui);
   write_set(slot, seen);
   targets_.open(slot.commands, target);
   for (const FramePass& pass : std::span(data_.passes).first(data_.pass_count))
@@ -148,6 +151,7 @@ void FrameRecorder::record_pass(const FrameSlot& slot, const FramePass& pass, st
   if (data_.passthrough && scene.fingers)
     seen.fingers.draw(commands, layouts_, pipelines, surface_, seen.picture.intrinsics());
   record_overlay(slot, pipelines);
+  if (views.size() == 1) gui_.record(commands, slot.arena.handle(), views.front().viewport, scene.gui);
   targets_.end_pass(commands, target, static_cast<std::uint32_t>(pass.first_view));
 }
 

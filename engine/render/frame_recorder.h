@@ -5,6 +5,7 @@
 #include "render/frame_data.h"
 #include "render/frame_ring.h"
 #include "render/frame_targets.h"
+#include "render/imgui_pass.h"
 #include "render/lighting.h"
 #include "render/model_pass.h"
 #include "render/overlay.h"
@@ -51,6 +52,7 @@ class FrameRecorder {
   FrameTargets targets_;
   vk::raii::Sampler sampler_;
   Image glyphs_;
+  ImguiPass gui_;
   // For one view alone, and for several at once.
   std::array<std::optional<Pipelines>, 2> pipelines_;
   FrameData data_;

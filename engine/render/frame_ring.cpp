@@ -33,7 +33,7 @@ void Arena::begin(Device& device, std::uint64_t bytes) {
   if (buffer_.size() >= bytes) return;
   buffer_ = Buffer(device, std::max(smallest_arena, bytes * 2),
                    vk::BufferUsageFlagBits::eUniformBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
-                       vk::BufferUsageFlagBits::eVertexBuffer,
+                       vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eIndexBuffer,
                    MemoryPool::Use::upload);
 }
 
@@ -54,11 +54,7 @@ FrameRing::FrameRing(Device& device, vk::DescriptorSetLayout set_layout)
 }
 
 FrameRing::~FrameRing() {
-  try {
-    device_.vk().waitIdle();
-  } catch (const vk::SystemError&) {
-    // The device is lost: nothing runs on it any more.
-  }
+  device_.wait_idle();
 }
 
 FrameSlot& FrameRing::begin() {
@@ -76,20 +72,22 @@ FrameSlot& FrameRing::begin() {
 void FrameRing::submit(const RenderTarget& target) {
   FrameSlot& slot = slots_[index_];
   slot.commands.end();
-  slot.done_at = ++frames_;
+  const std::uint64_t done_at = frames_ + 1;
   const vk::CommandBufferSubmitInfo commands{.commandBuffer = *slot.commands};
   const vk::SemaphoreSubmitInfo wait{.semaphore = target.ready,
                                      .stageMask = vk::PipelineStageFlagBits2::eColorAttachmentOutput};
   const std::array signals{
       vk::SemaphoreSubmitInfo{
-          .semaphore = *timeline_, .value = slot.done_at, .stageMask = vk::PipelineStageFlagBits2::eAllCommands},
+          .semaphore = *timeline_, .value = done_at, .stageMask = vk::PipelineStageFlagBits2::eAllCommands},
       vk::SemaphoreSubmitInfo{.semaphore = target.done, .stageMask = vk::PipelineStageFlagBits2::eAllCommands}};
-  device_.queue().submit2(vk::SubmitInfo2{.waitSemaphoreInfoCount = target.ready ? 1U : 0U,
-                                          .pWaitSemaphoreInfos = &wait,
-                                          .commandBufferInfoCount = 1,
-                                          .pCommandBufferInfos = &commands,
-                                          .signalSemaphoreInfoCount = target.done ? 2U : 1U,
-                                          .pSignalSemaphoreInfos = signals.data()});
+  device_.submit({.waitSemaphoreInfoCount = target.ready ? 1U : 0U,
+                  .pWaitSemaphoreInfos = &wait,
+                  .commandBufferInfoCount = 1,
+                  .pCommandBufferInfos = &commands,
+                  .signalSemaphoreInfoCount = target.done ? 2U : 1U,
+                  .pSignalSemaphoreInfos = signals.data()});
+  // What was refused will never be done, and must not be waited for.
+  slot.done_at = frames_ = done_at;
 }
 
 }  // namespace onestroke

@@ -9,6 +9,8 @@
 #include <span>
 #include <string_view>
 
+struct ImDrawData;
+
 namespace onestroke {
 
 /// Linear red, green, blue and opacity, not premultiplied.
@@ -105,6 +107,8 @@ struct FrameScene {
   bool fingers = true;
   /// Models get the noise of the camera's picture.
   bool grain = true;
+  /// What Gui laid out, over all else; drawn where there is one view. None where it is null.
+  const ImDrawData* gui = nullptr;
 };
 
 }  // namespace onestroke

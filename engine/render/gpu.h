@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,15 +18,29 @@ struct GpuNeeds {
   VulkanHooks* hooks = nullptr;
 };
 
+/// For tests: a GPU that is lost, as far as the program can tell.
+struct LossRehearsal {
+  /// Counts down with every submission of work; the one that brings it to 0 is refused, and so is all after it on the
+  /// same Gpu. Nothing is lost from 0 on.
+  std::atomic<int> submissions{0};
+  /// Whether what was submitted before is lost as well; otherwise it is still done.
+  std::atomic<bool> work_too{false};
+};
+
 struct GpuOptions {
   GpuNeeds needs{};
   /// Turns on Khronos validation with synchronisation validation; its words go to standard error.
   bool validation = false;
   /// Where given, counts validation's warnings and errors, to the very end; it outlives the Gpu and all made from it.
   std::atomic<int>* validation_messages = nullptr;
-  /// An index into the list of devices, or part of a name; empty takes a discrete GPU before an integrated one before
-  /// the CPU.
+  /// An index into the list of devices, or part of a name, in capitals or not; empty takes a discrete GPU before an
+  /// integrated one before the CPU.
   std::string gpu{};
+  /// The folder that keeps compiled pipelines from run to run, so that later runs start sooner; empty for none. It need
+  /// not be there, nor be writable.
+  std::filesystem::path cache_folder{};
+  /// Null but in tests; outlives the Gpu and all made from it.
+  LossRehearsal* rehearsal = nullptr;
 };
 
 /// The GPU: instance, device, queue and memory. One thread uses it, and all that is made from it, at a time. Displays

@@ -37,16 +37,16 @@ vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout) {
   const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
   const vk::PipelineRenderingCreateInfo rendering{
       .viewMask = view_mask, .colorAttachmentCount = 1, .pColorAttachmentFormats = &format};
-  return device.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
-                                                      .stageCount = stages.size(),
-                                                      .pStages = stages.data(),
-                                                      .pVertexInputState = &input,
-                                                      .pInputAssemblyState = &assembly,
-                                                      .pViewportState = &viewports,
-                                                      .pRasterizationState = &raster,
-                                                      .pMultisampleState = &samples,
-                                                      .pColorBlendState = &blends,
-                                                      .layout = layout});
+  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
+                                                                      .stageCount = stages.size(),
+                                                                      .pStages = stages.data(),
+                                                                      .pVertexInputState = &input,
+                                                                      .pInputAssemblyState = &assembly,
+                                                                      .pViewportState = &viewports,
+                                                                      .pRasterizationState = &raster,
+                                                                      .pMultisampleState = &samples,
+                                                                      .pColorBlendState = &blends,
+                                                                      .layout = layout});
 }
 
 void draw(const vk::raii::CommandBuffer& commands, vk::Pipeline pipeline, const Image& image, const Buffer& bytes) {

@@ -81,7 +81,7 @@ vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout) {
   const auto words = spirv::unpack_comp();
   const auto module = device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
   return device.vk().createComputePipeline(
-      nullptr,
+      device.pipeline_cache(),
       {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *module, .pName = "main"}, .layout = layout});
 }
 

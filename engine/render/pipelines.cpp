@@ -96,18 +96,18 @@ vk::raii::Pipeline make_pipeline(const Place& place, const Recipe& recipe) {
                                                   .colorAttachmentCount = 1,
                                                   .pColorAttachmentFormats = &place.color,
                                                   .depthAttachmentFormat = depth_format};
-  return device.vk().createGraphicsPipeline(nullptr, {.pNext = &rendering,
-                                                      .stageCount = stages.size(),
-                                                      .pStages = stages.data(),
-                                                      .pVertexInputState = &input,
-                                                      .pInputAssemblyState = &assembly,
-                                                      .pViewportState = &viewport,
-                                                      .pRasterizationState = &raster,
-                                                      .pMultisampleState = &multisample,
-                                                      .pDepthStencilState = &depth,
-                                                      .pColorBlendState = &blends,
-                                                      .pDynamicState = &dynamics,
-                                                      .layout = *place.layouts.pipeline});
+  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
+                                                                      .stageCount = stages.size(),
+                                                                      .pStages = stages.data(),
+                                                                      .pVertexInputState = &input,
+                                                                      .pInputAssemblyState = &assembly,
+                                                                      .pViewportState = &viewport,
+                                                                      .pRasterizationState = &raster,
+                                                                      .pMultisampleState = &multisample,
+                                                                      .pDepthStencilState = &depth,
+                                                                      .pColorBlendState = &blends,
+                                                                      .pDynamicState = &dynamics,
+                                                                      .layout = *place.layouts.pipeline});
 }
 
 Recipe passthrough_recipe() {

@@ -26,6 +26,7 @@ struct Renderer::Impl {
   FrameRecorder recorder;
   FrameRing ring;  // last: its end waits for the GPU before the rest goes
   std::string failure;
+  bool lost = false;
 };
 
 Renderer::Renderer(Gpu& gpu, const RendererOptions& options) : impl_(std::make_unique<Impl>(gpu.device(), options)) {}
@@ -69,6 +70,7 @@ bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
     return true;
   } catch (const vk::DeviceLostError&) {
     impl_->failure = "the GPU was lost: restart the program";
+    impl_->lost = true;
   } catch (const std::exception& error) {
     impl_->failure = std::string("the GPU cannot draw: ") + error.what();
   }
@@ -77,6 +79,10 @@ bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
 
 const std::string& Renderer::failure() const {
   return impl_->failure;
+}
+
+bool Renderer::lost() const {
+  return impl_->lost;
 }
 
 }  // namespace onestroke

@@ -42,6 +42,8 @@ class Renderer {
   /// GPU is lost or out of memory, and then failure() says so; allocates nothing once warm.
   [[nodiscard]] bool draw(const FrameScene& scene, const FrameInfo& frame) noexcept;
   const std::string& failure() const;
+  /// True where draw() failed because the GPU was lost: a new Gpu may do, with a new Renderer and all that was loaded.
+  bool lost() const;
 
  private:
   struct Impl;

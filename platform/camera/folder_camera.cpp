@@ -11,7 +11,7 @@
 namespace onestroke {
 namespace {
 
-constexpr std::size_t buffers = 6;
+constexpr std::size_t buffers = 7;
 constexpr double pictures_per_second = 30;
 
 std::vector<std::string> picture_names(const std::filesystem::path& folder) {

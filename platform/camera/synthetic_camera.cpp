@@ -14,7 +14,7 @@
 namespace onestroke {
 namespace {
 
-constexpr std::size_t buffers = 6;
+constexpr std::size_t buffers = 7;
 constexpr std::size_t most_hands = 2;
 
 const MarkerSpec& marker_of(const Catalog& catalog, std::optional<int> id, std::size_t otherwise) {

@@ -14,7 +14,7 @@
 namespace onestroke {
 namespace {
 
-constexpr std::size_t buffers = 6;
+constexpr std::size_t buffers = 7;
 constexpr std::size_t name_length = 32;
 
 cv::VideoCapture open_capture(const std::filesystem::path& file) {

@@ -141,6 +141,10 @@ void Film::add(std::span<const std::uint8_t> rgba) {
   m.drain();
 }
 
+void Film::leave_out() {
+  ++impl_->frame->pts;
+}
+
 void Film::finish() {
   Impl& m = *impl_;
   if (m.finished) return;

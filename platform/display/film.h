@@ -16,6 +16,8 @@ class Film {
 
   /// RGBA rows from the top, without padding. Throws Error where the file cannot be written.
   void add(std::span<const std::uint8_t> rgba);
+  /// A frame that there is no picture of: the one before is seen for longer.
+  void leave_out();
   /// Writes what is left; the film plays only after this. Throws Error likewise.
   void finish();
 

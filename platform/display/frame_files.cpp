@@ -43,8 +43,16 @@ void FrameFiles::add(std::span<const std::uint8_t> rgba) {
   if (options_.png_every > 0 && frame % options_.png_every == 0) {
     write_png(picture_name(options_.directory, frame), options_.width, options_.height, rgba);
     ++pictures_;
+    last_picture_ = frame;
   }
-  if (film_) film_->add(rgba);
+  if (!film_) return;
+  film_->add(rgba);
+  ++filmed_;
+}
+
+void FrameFiles::leave_out() {
+  ++frames_;
+  if (film_) film_->leave_out();
 }
 
 void FrameFiles::finish() {
@@ -53,14 +61,12 @@ void FrameFiles::finish() {
 
 std::vector<std::string> FrameFiles::report() const {
   std::vector<std::string> lines;
-  if (pictures_ > 0) {
-    const int last = (frames_ - 1) / options_.png_every * options_.png_every;
+  if (pictures_ > 0)
     lines.push_back("wrote " + picture_name(options_.directory, 0).string() + " to " +
-                    picture_name(options_.directory, last).filename().string() + ", " + std::to_string(pictures_) +
-                    " pictures");
-  }
-  if (film_ && frames_ > 0)
-    lines.push_back("wrote " + (options_.directory / "film.mp4").string() + ", " + std::to_string(frames_) + " frames");
+                    picture_name(options_.directory, last_picture_).filename().string() + ", " +
+                    std::to_string(pictures_) + " pictures");
+  if (filmed_ > 0)
+    lines.push_back("wrote " + (options_.directory / "film.mp4").string() + ", " + std::to_string(filmed_) + " frames");
   return lines;
 }
 

@@ -89,7 +89,7 @@ struct OffscreenDisplay::Impl {
   std::array<Slot, 2> slots;
   std::int64_t frame = 0;
   std::string failure;
-  bool closed = false, finished = false;
+  bool closed = false, finished = false, lost = false;
 
   Slot& slot(std::int64_t n) { return slots[static_cast<std::size_t>(n % 2)]; }
 
@@ -97,28 +97,54 @@ struct OffscreenDisplay::Impl {
     return {reinterpret_cast<const std::uint8_t*>(slot.bytes.mapped()), slot.bytes.size()};
   }
 
-  void wait(const Slot& slot) const {
-    vk::resultCheck(device->vk().waitForFences(*slot.fence, true, UINT64_MAX), "waiting for a picture");
-  }
-
   /// Hands a picture to the files, once.
   void deliver(Slot& slot) {
     if (!slot.pending) return;
     slot.pending = false;
-    wait(slot);
+    try {
+      device->wait(*slot.fence);
+    } catch (const vk::DeviceLostError&) {
+      files.leave_out();
+      throw;
+    }
     files.add(bytes(slot));
   }
 
-  /// Runs what may throw in the loop; the first error closes the display.
+  /// Runs what may throw in the loop; the first error closes the display, unless another GPU may mend it.
   template <typename Work>
   void guard(Work&& work) noexcept {
-    if (closed) return;
+    if (closed || lost) return;
     try {
       work();
+    } catch (const vk::DeviceLostError&) {
+      lost = true;
     } catch (const std::exception& error) {
       failure = error.what();
       closed = true;
     }
+  }
+
+  /// Hands the files all that is still to be had, oldest first. False where the GPU took some of it with it.
+  bool deliver_all() {
+    bool all = true;
+    for (std::int64_t n = 0; n < 2; ++n) {
+      lost = false;
+      guard([&] { deliver(slot(frame + n)); });
+      all = all && !lost;
+    }
+    lost = false;
+    return all;
+  }
+
+  void let_go() {
+    if (!device) return;
+    device->wait_idle();
+    for (Slot& slot : slots) {
+      slot.commands = nullptr;  // before its pool
+      slot = {};
+    }
+    device.reset();
+    lost = false;
   }
 };
 
@@ -131,10 +157,12 @@ OffscreenDisplay::OffscreenDisplay(const OffscreenOptions& options) {
 
 OffscreenDisplay::~OffscreenDisplay() {
   // A picture may still be on its way.
-  if (impl_->device) impl_->guard([this] { impl_->device->vk().waitIdle(); });
+  impl_->let_go();
 }
 
 void OffscreenDisplay::attach(Gpu& gpu) {
+  if (impl_->device) impl_->deliver_all();
+  impl_->let_go();
   impl_->device = gpu.device();
   const OffscreenOptions& o = impl_->options;
   for (auto& slot : impl_->slots) {
@@ -147,7 +175,7 @@ void OffscreenDisplay::begin(FrameInfo& frame) {
   const OffscreenOptions& o = impl_->options;
   Slot& slot = impl_->slot(impl_->frame);
   impl_->guard([&] { impl_->deliver(slot); });
-  frame.should_render = !impl_->closed;
+  frame.should_render = !impl_->closed && !impl_->lost;
   frame.time = Time{} + Duration::from_seconds(static_cast<double>(impl_->frame) / o.rate);
   frame.target = &slot.target;
   frame.view_count = o.views;
@@ -165,8 +193,7 @@ void OffscreenDisplay::end(const FrameInfo& frame) {
     Slot& slot = impl_->slot(impl_->frame);
     impl_->device->vk().resetFences(*slot.fence);
     const vk::CommandBufferSubmitInfo commands{.commandBuffer = *slot.commands};
-    impl_->device->queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &commands},
-                                   *slot.fence);
+    impl_->device->submit({.commandBufferInfoCount = 1, .pCommandBufferInfos = &commands}, *slot.fence);
     slot.pending = true;
     ++impl_->frame;
   });
@@ -176,14 +203,16 @@ bool OffscreenDisplay::closed() const {
   return impl_->closed;
 }
 
+bool OffscreenDisplay::gpu_lost() const {
+  return impl_->lost;
+}
+
 void OffscreenDisplay::finish() {
   if (impl_->finished) return;
   impl_->finished = true;
-  impl_->guard([this] {
-    // Oldest first.
-    for (std::int64_t n = 0; n < 2; ++n) impl_->deliver(impl_->slot(impl_->frame + n));
-    impl_->files.finish();
-  });
+  const bool all = impl_->deliver_all();
+  impl_->guard([this] { impl_->files.finish(); });
+  if (!all && impl_->failure.empty()) impl_->failure = "the GPU was lost with the last frames: they are missing";
   impl_->closed = true;
   if (!impl_->failure.empty()) throw Error(impl_->failure);
 }
@@ -195,7 +224,7 @@ std::vector<std::string> OffscreenDisplay::report() const {
 std::span<const std::uint8_t> OffscreenDisplay::read_back() {
   if (impl_->frame == 0) throw Error("no frame has been drawn off-screen yet");
   const Slot& slot = impl_->slot(impl_->frame - 1);
-  impl_->wait(slot);
+  impl_->device->wait(*slot.fence);
   return impl_->bytes(slot);
 }
 

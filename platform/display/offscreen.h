@@ -36,6 +36,7 @@ class OffscreenDisplay final : public Display {
   void end(const FrameInfo& frame) override;
   std::span<const Key> poll() override { return {}; }
   bool closed() const override;
+  bool gpu_lost() const override;
   bool tracks_head() const override { return false; }
   void finish() override;
   std::vector<std::string> report() const override;

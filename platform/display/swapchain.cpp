@@ -22,6 +22,10 @@ vk::PresentModeKHR choose_mode(Device& device, vk::SurfaceKHR surface, bool wait
   return mailbox && !wait_for_screen ? vk::PresentModeKHR::eMailbox : vk::PresentModeKHR::eFifo;
 }
 
+// A desktop need not give images back of a window that it does not show; keys and the close button are heard all the
+// same.
+constexpr std::uint64_t longest_wait_ns = 100'000'000;
+
 std::uint32_t between(int value, std::uint32_t low, std::uint32_t high) {
   return std::clamp(static_cast<std::uint32_t>(std::max(value, 0)), low, high);
 }
@@ -83,10 +87,11 @@ void Swapchain::make_targets(vk::Extent2D extent) {
 const RenderTarget* Swapchain::acquire(Status& status) {
   // The plain call, since the wrapped one throws where the window has merely changed size.
   const vk::Semaphore ready = *ready_[next_ready_];
-  const auto result = device_.vk().getDispatcher()->vkAcquireNextImageKHR(*device_.vk(), *swapchain_, UINT64_MAX, ready,
-                                                                          VK_NULL_HANDLE, &taken_);
-  status = result == VK_SUCCESS ? Status::good : Status::stale;
-  if (result == VK_ERROR_OUT_OF_DATE_KHR) return nullptr;
+  const auto result = device_.vk().getDispatcher()->vkAcquireNextImageKHR(*device_.vk(), *swapchain_, longest_wait_ns,
+                                                                          ready, VK_NULL_HANDLE, &taken_);
+  const bool none_yet = result == VK_TIMEOUT || result == VK_NOT_READY;
+  status = result == VK_SUCCESS || none_yet ? Status::good : Status::stale;
+  if (none_yet || result == VK_ERROR_OUT_OF_DATE_KHR) return nullptr;
   if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR)
     vk::throwResultException(static_cast<vk::Result>(result), "taking a picture of the window");
   next_ready_ = (next_ready_ + 1) % acquires;

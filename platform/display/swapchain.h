@@ -19,7 +19,8 @@ class Swapchain {
     good,
     stale,  ///< rebuild before the next frame
   };
-  /// Takes the next image; null and `stale` where there is none.
+  /// Takes the next image. Null where there is none: with `stale` there will be none, with `good` the screen, which may
+  /// not be showing the window at all, has left none free for a tenth of a second.
   const RenderTarget* acquire(Status& status);
   /// Shows the image taken last.
   Status present();

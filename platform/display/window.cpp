@@ -75,17 +75,27 @@ struct Keys {
   }
 };
 
-Keys& keys_of(GLFWwindow* window) {
-  return *static_cast<Keys*>(glfwGetWindowUserPointer(window));
+/// What the desktop has told of the window.
+struct Events {
+  Keys keys;
+  bool minimised = false;
+};
+
+Events& events_of(GLFWwindow* window) {
+  return *static_cast<Events*>(glfwGetWindowUserPointer(window));
 }
 
 void on_key(GLFWwindow* window, int code, int, int action, int) {
-  if (action == GLFW_PRESS) keys_of(window).add(special_key(code));
+  if (action == GLFW_PRESS) events_of(window).keys.add(special_key(code));
 }
 
 // Characters, unlike key codes, follow the user's keyboard layout.
 void on_character(GLFWwindow* window, unsigned character) {
-  if (character < 128) keys_of(window).add(static_cast<Key>(std::tolower(static_cast<int>(character))));
+  if (character < 128) events_of(window).keys.add(static_cast<Key>(std::tolower(static_cast<int>(character))));
+}
+
+void on_minimised(GLFWwindow* window, int minimised) {
+  events_of(window).minimised = minimised == GLFW_TRUE;
 }
 
 GLFWwindow* make_window(const WindowOptions& options) {
@@ -106,23 +116,26 @@ Duration refresh_interval() {
 struct WindowDisplay::Impl {
   Glfw glfw;
   WindowOptions options;
-  Keys keys, polled;
+  Events events;
+  Keys polled;
   std::unique_ptr<GLFWwindow, CloseWindow> window;
   std::shared_ptr<Device> device;
   vk::raii::SurfaceKHR surface{nullptr};
   std::optional<Swapchain> swapchain;
   Duration interval{};
-  bool stale = true, failed = false;
+  bool stale = true, failed = false, lost = false;
   std::string failure;
 
   explicit Impl(const WindowOptions& o) : options(o), window(make_window(o)), interval(refresh_interval()) {
-    glfwSetWindowUserPointer(window.get(), &keys);
+    glfwSetWindowUserPointer(window.get(), &events);
     glfwSetKeyCallback(window.get(), on_key);
     glfwSetCharCallback(window.get(), on_character);
+    glfwSetWindowIconifyCallback(window.get(), on_minimised);
   }
 
-  /// The next image to draw into; null where the window has no area now.
+  /// The next image to draw into; null where the window has no area now, or nobody sees it.
   const RenderTarget* acquire() {
+    if (events.minimised) return nullptr;
     int width = 0, height = 0;
     glfwGetFramebufferSize(window.get(), &width, &height);
     // A window may change size again while its images are being made.
@@ -130,18 +143,32 @@ struct WindowDisplay::Impl {
       if (width == 0 || height == 0 || (stale && !swapchain->rebuild(width, height))) return nullptr;
       Swapchain::Status status{};
       const RenderTarget* target = swapchain->acquire(status);
-      stale = status == Swapchain::Status::stale || target->width != width || target->height != height;
-      if (target) return target;
+      stale = status == Swapchain::Status::stale || (target && (target->width != width || target->height != height));
+      if (target || !stale) return target;
       glfwGetFramebufferSize(window.get(), &width, &height);
     }
     return nullptr;
   }
 
-  /// Runs what may throw in the loop; the first error closes the window.
+  void let_go() {
+    // The screen may still be showing the last frame.
+    if (device) device->wait_idle();
+    swapchain.reset();
+    surface = nullptr;
+    device.reset();
+    stale = true;
+    lost = false;
+  }
+
+  /// Runs what may throw in the loop; the first error closes the window, unless another GPU may mend it.
   template <typename Work>
   void guard(Work&& work) noexcept {
     try {
-      if (!failed) work();
+      if (!failed && !lost) work();
+    } catch (const vk::DeviceLostError&) {
+      lost = true;
+    } catch (const vk::SurfaceLostKHRError&) {
+      lost = true;
     } catch (const std::exception& error) {
       failure = std::string("the window cannot go on: ") + error.what();
       failed = true;
@@ -152,8 +179,7 @@ struct WindowDisplay::Impl {
 WindowDisplay::WindowDisplay(const WindowOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 
 WindowDisplay::~WindowDisplay() {
-  // The screen may still be showing the last frame.
-  if (impl_->device) impl_->guard([this] { impl_->device->vk().waitIdle(); });
+  impl_->let_go();
 }
 
 GpuNeeds WindowDisplay::needs() const {
@@ -163,6 +189,7 @@ GpuNeeds WindowDisplay::needs() const {
 }
 
 void WindowDisplay::attach(Gpu& gpu) {
+  impl_->let_go();
   impl_->device = gpu.device();
   const Device& device = *impl_->device;
   VkSurfaceKHR surface = VK_NULL_HANDLE;
@@ -191,13 +218,17 @@ void WindowDisplay::end(const FrameInfo& frame) {
 
 std::span<const Key> WindowDisplay::poll() {
   glfwPollEvents();
-  impl_->polled = impl_->keys;
-  impl_->keys.count = 0;
+  impl_->polled = impl_->events.keys;
+  impl_->events.keys.count = 0;
   return {impl_->polled.list.data(), impl_->polled.count};
 }
 
 bool WindowDisplay::closed() const {
   return impl_->failed || glfwWindowShouldClose(impl_->window.get());
+}
+
+bool WindowDisplay::gpu_lost() const {
+  return impl_->lost;
 }
 
 void WindowDisplay::finish() {

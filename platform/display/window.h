@@ -25,6 +25,7 @@ class WindowDisplay final : public Display {
   void end(const FrameInfo& frame) override;
   std::span<const Key> poll() override;
   bool closed() const override;
+  bool gpu_lost() const override;
   bool tracks_head() const override { return false; }
   void finish() override;
 

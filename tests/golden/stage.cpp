@@ -1,37 +1,17 @@
 #include "golden/stage.h"
 
+#include "golden/album.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 
 namespace onestroke::golden {
 
 namespace {
-
-const std::filesystem::path pictures = ONESTROKE_SOURCE_DIR "/tests/golden/pictures";
-const std::filesystem::path failures = ONESTROKE_FAILURES_DIR;
-
-std::string made_with() {
-  std::string line;
-  std::getline(std::ifstream(pictures / "made_with.txt"), line);
-  return line;
-}
-
-void bless(const std::string& name, const Picture& actual, const std::string& gpu) {
-  write_png(pictures / (name + ".png"), actual);
-  std::ofstream(pictures / "made_with.txt") << gpu << '\n';
-  std::cout << "blessed " << (pictures / (name + ".png")).string() << ", drawn by " << gpu << '\n';
-}
-
-std::string how_to_bless() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::string("if the new picture is right, bless it: ONESTROKE_BLESS=1 ") + ONESTROKE_GOLDEN_TEST +
-         " --gtest_filter=" + test->test_suite_name() + "." + test->name();
-}
 
 std::array<std::uint8_t, 3> chart_color(int x, int y, int width, int height) {
   const bool check = (x / 24 + y / 24) % 2 == 0;
@@ -67,7 +47,11 @@ Chart::Chart(int width, int height, PixelFormat format, double horizontal_fov_ra
 Stage::Stage(int views) : views_(views) {
   display_ =
       std::make_unique<OffscreenDisplay>(OffscreenOptions{.width = width * views, .height = height, .views = views});
-  Gpu gpu({.needs = display_->needs(), .validation = true, .validation_messages = &validation_messages_});
+  // The one whose pictures the golden ones are, whatever else the machine has.
+  Gpu gpu({.needs = display_->needs(),
+           .validation = true,
+           .validation_messages = &validation_messages_,
+           .gpu = "llvmpipe"});
   drawn_by_ = gpu.name();
   display_->attach(gpu);
   renderer = std::make_unique<Renderer>(gpu);
@@ -94,20 +78,11 @@ Picture Stage::draw(const FrameScene& scene, std::span<const View> views) {
 }
 
 void Stage::expect_golden(const std::string& name, const Picture& actual, Tolerance tolerance) {
-  if (std::getenv("ONESTROKE_BLESS")) {
-    bless(name, actual, drawn_by_);
-    return;
-  }
-  const auto file = pictures / (name + ".png");
-  ASSERT_TRUE(std::filesystem::exists(file)) << file << " is missing; " << how_to_bless();
-  const Comparison result = compare(read_png(file), actual, tolerance);
-  if (result.same) return;
-  write_png(failures / (name + ".actual.png"), actual);
-  if (!result.difference.rgb.empty()) write_png(failures / (name + ".difference.png"), result.difference);
-  ADD_FAILURE() << name << ": " << result.words << "\nlook at " << failures.string() << "/" << name
-                << ".{actual,difference}.png beside " << file.string() << "\nthe golden pictures were drawn by "
-                << made_with() << ", this one by " << drawn_by_ << "\n"
-                << how_to_bless();
+  const char* bless = std::getenv("ONESTROKE_BLESS");
+  const Album album({.pictures = ONESTROKE_SOURCE_DIR "/tests/golden/pictures", .failures = ONESTROKE_FAILURES_DIR},
+                    drawn_by_, bless ? bless : "", std::cout);
+  const std::string wrong = album.check(name, actual, tolerance);
+  EXPECT_TRUE(wrong.empty()) << wrong;
 }
 
 Matrix4 placed(float x, float y, float z, float turn_x, float turn_y, float scale) {

@@ -33,7 +33,7 @@ class Stage : public testing::Test {
   /// stand at the world's origin with the charts' field of view.
   Picture draw(const FrameScene& scene, std::span<const View> views = {});
 
-  /// Compares with pictures/NAME.png; where ONESTROKE_BLESS is set, writes it instead.
+  /// Compares with pictures/NAME.png. See Album; ONESTROKE_BLESS is what it blesses.
   void expect_golden(const std::string& name, const Picture& actual, Tolerance tolerance);
 
   int views_;

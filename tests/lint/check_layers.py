@@ -34,6 +34,7 @@ ROOMS = {
     "Eigen": (re.compile(r"Eigen/"), {"engine/tracking", "platform/camera", "platform/display"}),
     "GLM": (re.compile(r"glm/"), {"engine/scene", "engine/render", "shaders", "app"}),
     "Vulkan": (re.compile(r"vulkan/"), {"engine/render", "platform/display"}),
+    "Dear ImGui": (re.compile(r"imgui(_internal)?\.h"), {"engine/render", "app"}),
     "GLFW": (re.compile(r"GLFW/"), {"platform/display"}),
 }
 

@@ -76,6 +76,19 @@ TEST_F(RunProgram, MarkersWithoutAModelAreShownAllTheSame) {
   EXPECT_EQ(count_of(folder / "a", ".png"), 8);
 }
 
+TEST_F(RunProgram, KeepsItsPipelinesForTheNextRun) {
+  cache = folder / "cache";
+  for (int i = 0; i < 2; ++i) {
+    const Ended ended = run(small + "--display offscreen:a --frames 2");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "");
+    EXPECT_EQ(count_of(cache / "onestroke", ".bin"), 1);
+  }
+  write("file", "in the way");
+  cache = folder / "file";
+  EXPECT_EQ(run(small + "--display offscreen:a --frames 2").code, 0);
+}
+
 TEST_F(RunProgram, SaysWhatIsWrong) {
   const Ended usage = run("run --fresh");
   EXPECT_EQ(usage.code, 2);
@@ -94,7 +107,10 @@ TEST_F(RunProgram, SaysWhatIsWrong) {
   const Ended window = run("run --display window");
   EXPECT_EQ(window.code, 1);
   EXPECT_THAT(window.err, HasSubstr("--display offscreen:DIR"));
-  for (const Ended& ended : {catalog, assets, model, window})
+  const Ended gpu = run("run --gpu nothing --display offscreen:a");
+  EXPECT_EQ(gpu.code, 1);
+  EXPECT_THAT(gpu.err, AllOf(HasSubstr("no GPU is called \"nothing\""), HasSubstr("of 0 ")));
+  for (const Ended& ended : {catalog, assets, model, window, gpu})
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }
 

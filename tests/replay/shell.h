@@ -28,9 +28,10 @@ class ProgramTest : public testing::Test {
 
   /// As a shell would, without a desktop and under Vulkan's validation.
   Ended run(const std::string& arguments, const std::string& before = "") const {
-    const std::string command = "cd " + folder.string() + " && " + before +
-                                " env -u DISPLAY -u WAYLAND_DISPLAY ONESTROKE_VALIDATION=1 " ONESTROKE_PROGRAM " " +
-                                arguments + " >out.txt 2>err.txt";
+    const std::string command =
+        "cd " + folder.string() + " && " + before +
+        " env -u DISPLAY -u WAYLAND_DISPLAY ONESTROKE_VALIDATION=1 XDG_CACHE_HOME=" + cache.string() +
+        " " ONESTROKE_PROGRAM " " + arguments + " >out.txt 2>err.txt";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out.txt"), read("err.txt")};
   }
@@ -42,6 +43,8 @@ class ProgramTest : public testing::Test {
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
 
   std::filesystem::path folder;
+  /// What the program, and the GPU's driver, compile once; not the user's own.
+  std::filesystem::path cache = ONESTROKE_CACHE_DIR;
 };
 
 inline const std::string demo_catalog = ONESTROKE_SOURCE_DIR "/assets/catalog.json";

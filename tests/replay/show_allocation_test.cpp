@@ -36,14 +36,11 @@ TEST(Show, AllocatesNothingOnceWarm) {
                                    .catalog = &catalog});
   {
     OffscreenDisplay display({.width = 320, .height = 240});
-    Gpu gpu({.needs = display.needs()});
-    display.attach(gpu);
-    Renderer renderer(gpu);
-    const ModelShelf shelf(catalog, assets, renderer);
-    make_room_for_words(display, renderer);
+    Graphics graphics(display, {.catalog = catalog, .folder = assets, .gpu = {}});
+    make_room_for_words(display, graphics.renderer());
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
-    Show show({display, renderer, tracking, shelf}, FrameFeed::Pace::each, PictureTime::exposure);
+    Show show({display, graphics, tracking}, FrameFeed::Pace::each, PictureTime::exposure);
     std::size_t shown = 0;
     long before = 0;
     show.run({.pictures = 40}, [&](std::size_t pictures) {
@@ -53,6 +50,25 @@ TEST(Show, AllocatesNothingOnceWarm) {
     EXPECT_EQ(allocations_of_this_thread(), before);
     EXPECT_EQ(shown, 40u);
   }
+}
+
+TEST(DesktopHud, AllocatesNothingAfterItsConstructor) {
+  DesktopHud hud;
+  HudWords words(true);
+  FrameRecord record;
+  for (MarkerObservation& m : record.markers) {
+    m.name.fill('m');
+    m.name.back() = 0;
+    m.state = MarkerState::measured;
+  }
+  const long before = allocations_of_this_thread();
+  for (int i = 0; i < 200; ++i) {
+    // Markers come and go, figures grow, and the window changes its size.
+    record.marker_count = i % (max_markers_per_frame + 1);
+    words.update(record, {.tracker_ms = i * 10.0, .frames_a_second = i * 5.0, .age = Duration::from_ms(i * 50)});
+    hud.lay_out(words, {0, 0, 300 + 9 * i, 200 + 7 * i});
+  }
+  EXPECT_EQ(allocations_of_this_thread(), before);
 }
 
 }  // namespace

@@ -45,19 +45,22 @@ TEST(CommandLine, RunAloneIsTheDemo) {
   EXPECT_EQ(run.source.camera, "synthetic");
   EXPECT_EQ(run.display, "");
   EXPECT_TRUE(run.catalog.empty());
+  EXPECT_EQ(run.gpu, "");
   EXPECT_EQ(run.mode, PictureTime::exposure);
   EXPECT_FALSE(run.source.fov_deg || run.source.readout_ms || run.frames || run.seconds);
 }
 
 TEST(CommandLine, RunTakesEveryOption) {
   const auto run = parsed<RunOptions>(
-      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --catalog c.db --mode fresh "
+      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --catalog c.db --gpu radeon "
+      "--mode fresh "
       "--frames 300 --seconds 2.5");
   EXPECT_EQ(run.source.camera, "file:a.mp4");
   EXPECT_EQ(run.source.fov_deg, 62.5);
   EXPECT_EQ(run.source.readout_ms, 16.6);
   EXPECT_EQ(run.display, "offscreen:film");
   EXPECT_EQ(run.catalog, "c.db");
+  EXPECT_EQ(run.gpu, "radeon");
   EXPECT_EQ(run.mode, PictureTime::fresh);
   EXPECT_EQ(run.frames, 300);
   EXPECT_EQ(run.seconds, 2.5);
@@ -122,6 +125,8 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "run --camera synthetic:",
                          "run --display offscreen",
                          "run --display window:2",
+                         "run --gpu",
+                         "run --gpu=",
                          "run --mode slow",
                          "run --frames 0",
                          "run --frames 1.5",
@@ -175,8 +180,8 @@ TEST(CommandLine, EveryCameraButTheSyntheticNeedsItsLensKnown) {
 
 TEST(CommandLine, HelpTeaches) {
   EXPECT_THAT(printed("--help"), AllOf(HasSubstr("Examples:"), HasSubstr("Units:"), HasSubstr("Exit codes:")));
-  EXPECT_THAT(printed("run --help"),
-              AllOf(HasSubstr("onestroke run --camera"), HasSubstr("Default: exposure"), HasSubstr("Keys")));
+  EXPECT_THAT(printed("run --help"), AllOf(HasSubstr("onestroke run --camera"), HasSubstr("Default: exposure"),
+                                           HasSubstr("--gpu NAME|NUMBER"), HasSubstr("Keys")));
   EXPECT_THAT(printed("track --help"), HasSubstr("p_camera = R p_marker + t"));
   EXPECT_THAT(printed("marker --help"), HasSubstr("onestroke marker import"));
   EXPECT_THAT(printed("marker import --help"), HasSubstr("--replace"));
@@ -224,6 +229,7 @@ TEST(CommandLine, CompletesInBash) {
   EXPECT_EQ(offered("onestroke track --o", 2), "--output --overlay");
   EXPECT_EQ(offered("onestroke marker ''", 2), "import export list show --help");
   EXPECT_EQ(offered("onestroke marker import --r", 3), "--replace");
+  EXPECT_EQ(offered("onestroke run --g", 2), "--gpu");
   EXPECT_EQ(offered("onestroke run --mode f", 3), "fresh");
   EXPECT_EQ(offered("onestroke run --camera f", 3), "file: folder:");
   EXPECT_EQ(offered("onestroke run --camera file : /etc/host", 5).substr(0, 9), "/etc/host");

@@ -12,7 +12,12 @@
 #include <gtest/gtest.h>
 #include <opencv2/videoio.hpp>
 
+#include <algorithm>
 #include <fstream>
+
+extern "C" {
+#include <libavformat/avformat.h>
+}
 
 namespace onestroke {
 namespace {
@@ -28,12 +33,17 @@ class Offscreen : public testing::Test {
   ~Offscreen() override { fs::remove_all(directory); }
   void TearDown() override { EXPECT_EQ(validation_messages, 0); }
 
-  /// Draws backgrounds that grow lighter frame by frame.
-  void show(Display& display, int frames) {
-    Gpu gpu({.needs = display.needs(), .validation = true, .validation_messages = &validation_messages});
+  /// Draws backgrounds that grow lighter frame by frame. The GPU is lost with one of the submissions, of which a frame
+  /// makes two: itself and its way into the files.
+  void show(Display& display, int frames, int lost_with = 0) {
+    Gpu gpu({.needs = display.needs(),
+             .validation = true,
+             .validation_messages = &validation_messages,
+             .rehearsal = &rehearsal});
     display.attach(gpu);
     Renderer renderer(gpu);
-    for (int i = 0; i < frames && !display.closed(); ++i) {
+    rehearsal.submissions = lost_with;
+    for (int i = 0; i < frames && !display.closed() && !display.gpu_lost(); ++i) {
       FrameInfo frame;
       display.begin(frame);
       times.push_back(frame.time.ns);
@@ -44,7 +54,25 @@ class Offscreen : public testing::Test {
   }
 
   std::vector<std::int64_t> times;
+  LossRehearsal rehearsal;
 };
+
+/// When a player shows a film's frames, ms.
+std::vector<double> shown_at(const fs::path& film) {
+  std::vector<double> times;
+  AVFormatContext* format = nullptr;
+  if (avformat_open_input(&format, film.c_str(), nullptr, nullptr) < 0) return times;
+  AVPacket* packet = av_packet_alloc();
+  while (av_read_frame(format, packet) >= 0) {
+    times.push_back(1000 * static_cast<double>(packet->pts) * av_q2d(format->streams[0]->time_base));
+    av_packet_unref(packet);
+  }
+  av_packet_free(&packet);
+  avformat_close_input(&format);
+  // They are packed in the order in which they are decoded.
+  std::sort(times.begin(), times.end());
+  return times;
+}
 
 /// Linear light as an 8-bit sRGB value.
 int srgb(double linear) {
@@ -78,6 +106,53 @@ TEST_F(Offscreen, LeavesNumberedPicturesAndAFilm) {
     EXPECT_NEAR(picture.at<cv::Vec3b>(20, 30)[1], srgb(0.1 * (i + 1)), 3);
   }
   EXPECT_FALSE(film.read(picture));
+}
+
+TEST_F(Offscreen, GoesOnWithAnotherGpuWhereOneWasLost) {
+  OffscreenDisplay display({.directory = directory, .width = 64, .height = 48, .rate = 25});
+  show(display, 20, 6);  // the third frame's way into the files
+  EXPECT_TRUE(display.gpu_lost());
+  EXPECT_FALSE(display.closed());
+  FrameInfo frame;
+  display.begin(frame);
+  EXPECT_FALSE(frame.should_render);
+  display.end(frame);
+  show(display, 2);
+  EXPECT_FALSE(display.gpu_lost());
+  display.finish();
+  EXPECT_THAT(times, testing::ElementsAre(0, 40'000'000, 80'000'000, 80'000'000, 120'000'000));
+  EXPECT_THAT(display.report(),
+              testing::ElementsAre(HasSubstr("frame_000003.png, 4 pictures"), HasSubstr("film.mp4, 4 frames")));
+  EXPECT_NEAR(golden::read_png(directory / "frame_000001.png").at(30, 20)[0], srgb(0.2), 1);
+  EXPECT_NEAR(golden::read_png(directory / "frame_000002.png").at(30, 20)[0], srgb(0.1), 1);
+}
+
+TEST_F(Offscreen, KeepsTheOthersTimeWhereAFrameIsLost) {
+  OffscreenDisplay display({.directory = directory, .width = 64, .height = 48, .rate = 25});
+  rehearsal.work_too = true;
+  show(display, 20, 6);
+  show(display, 3);
+  display.finish();
+  // The second was on its way; the third was not yet taken.
+  EXPECT_FALSE(fs::exists(directory / "frame_000001.png"));
+  EXPECT_THAT(display.report(),
+              testing::ElementsAre(HasSubstr("frame_000004.png, 4 pictures"), HasSubstr("film.mp4, 4 frames")));
+  const std::vector<double> times_ms = shown_at(directory / "film.mp4");
+  EXPECT_THAT(times_ms, testing::ElementsAre(0, 80, 120, 160));
+}
+
+TEST_F(Offscreen, SaysWhereTheLastFramesWentWithTheGpu) {
+  OffscreenDisplay display({.directory = directory, .width = 64, .height = 48, .rate = 25});
+  rehearsal.work_too = true;
+  show(display, 20, 6);
+  try {
+    display.finish();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the GPU was lost with the last frames"));
+  }
+  EXPECT_THAT(display.report(), testing::ElementsAre(HasSubstr("1 pictures"), HasSubstr("film.mp4, 1 frames")));
+  EXPECT_TRUE(cv::VideoCapture((directory / "film.mp4").string()).isOpened()) << "the film is whole all the same";
 }
 
 TEST_F(Offscreen, FilmsColoursAndOddSizes) {

@@ -67,7 +67,26 @@ class Server {
     XSync(display_, False);
   }
 
+  /// What a window manager does, of which there is none here.
+  void minimise(::Window window) const {
+    set_state(window, IconicState);
+    XUnmapWindow(display_, window);
+    XSync(display_, False);
+  }
+  void restore(::Window window) const {
+    XMapWindow(display_, window);
+    set_state(window, NormalState);
+    XSync(display_, False);
+  }
+
  private:
+  void set_state(::Window window, long state) const {
+    const Atom name = XInternAtom(display_, "WM_STATE", False);
+    const std::array<long, 2> value{state, None};
+    XChangeProperty(display_, window, name, name, 32, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(value.data()), 2);
+  }
+
   ::Window find_below(::Window window) const {
     char* name = nullptr;
     const bool found = XFetchName(display_, window, &name) && name && std::string(name) == title;
@@ -91,7 +110,14 @@ class WindowTest : public testing::Test {
     ASSERT_TRUE(std::getenv("DISPLAY")) << "this test needs an X server: run it with xvfb-run -a";
     ASSERT_TRUE(server.answers());
     window.emplace(WindowOptions{.title = title, .width = 320, .height = 240});
-    Gpu gpu({.needs = window->needs(), .validation = true, .validation_messages = &validation_messages});
+    start();
+  }
+  /// Brings the window a GPU.
+  void start() {
+    Gpu gpu({.needs = window->needs(),
+             .validation = true,
+             .validation_messages = &validation_messages,
+             .rehearsal = &rehearsal});
     window->attach(gpu);
     renderer.emplace(gpu);
   }
@@ -125,6 +151,7 @@ class WindowTest : public testing::Test {
   }
 
   std::atomic<int> validation_messages{0};
+  LossRehearsal rehearsal;
   Server server;
   std::optional<WindowDisplay> window;
   std::optional<Renderer> renderer;
@@ -176,6 +203,61 @@ TEST_F(WindowTest, ShrinksToOnePixelAndBack) {
   EXPECT_TRUE(show_until({1, 0, 0, 1}, [this] { return size == std::array{1, 1}; }));
   window->resize(300, 200);
   EXPECT_TRUE(show_until({1, 0, 0, 1}, [this] { return size == std::array{300, 200}; }));
+}
+
+TEST_F(WindowTest, DrawsNothingWhileItIsMinimised) {
+  show({});
+  const ::Window id = server.find();
+  server.minimise(id);
+  ASSERT_TRUE(show_until({}, [this] { return !show({}); }));
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(show({1, 0, 0, 1}));
+  EXPECT_FALSE(window->closed());
+  // It may get another size meanwhile, and hears its keys.
+  window->resize(260, 180);
+  server.press(id, XK_l);
+  EXPECT_TRUE(show_until({}, [this] { return !keys.empty(); }));
+  server.restore(id);
+  ASSERT_TRUE(show_until({0, 0, 1, 1}, [this] { return size == std::array{260, 180}; }));
+  EXPECT_TRUE(show_until({0, 0, 1, 1}, [&] { return server.pixel(id, 130, 90) == std::array{0, 0, 255}; }));
+}
+
+TEST_F(WindowTest, ClosesWhileItIsMinimised) {
+  show({});
+  const ::Window id = server.find();
+  server.minimise(id);
+  ASSERT_TRUE(show_until({}, [this] { return !show({}); }));
+  server.close(id);
+  EXPECT_TRUE(show_until({}, [this] { return window->closed(); }));
+  EXPECT_NO_THROW(window->finish());
+}
+
+TEST_F(WindowTest, FollowsManySizesInARow) {
+  show({});
+  // As when a corner is dragged: the size changes between any two frames.
+  for (int i = 0; i < 60; ++i) {
+    window->resize(200 + 7 * (i % 20), 300 - 5 * (i % 30));
+    show({0, 1, 0, 1});
+  }
+  window->resize(333, 222);
+  EXPECT_TRUE(show_until({0, 1, 0, 1}, [this] { return size == std::array{333, 222}; }));
+  EXPECT_FALSE(window->closed());
+}
+
+TEST_F(WindowTest, GoesOnWithAnotherGpuWhereOneWasLost) {
+  ASSERT_TRUE(show_until({1, 0, 0, 1}, [this] { return server.pixel(server.find(), 9, 9) == std::array{255, 0, 0}; }));
+  rehearsal.submissions = 1;
+  FrameInfo frame;
+  window->begin(frame);
+  ASSERT_TRUE(frame.should_render);
+  EXPECT_FALSE(renderer->draw({}, frame));
+  EXPECT_TRUE(renderer->lost());
+  frame.should_render = false;  // nothing was drawn
+  window->end(frame);
+  EXPECT_FALSE(window->closed());
+  renderer.reset();
+  start();
+  EXPECT_FALSE(window->gpu_lost());
+  EXPECT_TRUE(show_until({0, 0, 1, 1}, [this] { return server.pixel(server.find(), 9, 9) == std::array{0, 0, 255}; }));
 }
 
 TEST(WindowWithoutDesktop, NamesTheRemedy) {

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
+
 namespace onestroke {
 namespace {
 
@@ -32,14 +34,21 @@ TEST(Renderer, RefusesPicturesThatAreNotSound) {
 TEST(Gpu, IsChosenByNumberOrByName) {
   const std::string name = Gpu(GpuOptions{.gpu = "0"}).name();
   EXPECT_EQ(Gpu(GpuOptions{.gpu = name.substr(0, 4)}).name(), name);
+  EXPECT_EQ(Gpu(GpuOptions{.gpu = name.substr(2, 4)}).name(), name);
+  std::string shouted = name.substr(0, 4);
+  for (char& c : shouted) c = static_cast<char>(std::toupper(c));
+  EXPECT_EQ(Gpu(GpuOptions{.gpu = shouted}).name(), name);
 }
 
 TEST(Gpu, SaysWhichThereAreWhereTheNamedOneIsMissing) {
-  try {
-    Gpu gpu(GpuOptions{.gpu = "no such thing"});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("no GPU is called \"no such thing\": there are 0 "));
+  for (const std::string wanted : {"no such thing", "99", "0x", "-1"}) {
+    try {
+      Gpu gpu(GpuOptions{.gpu = wanted});
+      ADD_FAILURE() << wanted;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("no GPU is called \"" + wanted + "\""),
+                                               testing::HasSubstr("--gpu"), testing::HasSubstr("of 0 ")));
+    }
   }
 }
 

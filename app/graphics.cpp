@@ -1,0 +1,32 @@
+#include "app/graphics.h"
+
+#include "core/error.h"
+
+#include <utility>
+
+namespace onestroke {
+
+Graphics::Graphics(Display& display, Wanted wanted) : display_(display), wanted_(std::move(wanted)) {
+  wanted_.gpu.needs = display.needs();
+  build();
+}
+
+void Graphics::build() {
+  gpu_.emplace(wanted_.gpu);
+  display_.attach(*gpu_);
+  renderer_.emplace(*gpu_);
+  shelf_.emplace(wanted_.catalog, wanted_.folder, *renderer_);
+}
+
+void Graphics::rebuild() {
+  shelf_.reset();
+  renderer_.reset();
+  gpu_.reset();
+  try {
+    build();
+  } catch (const std::exception& error) {
+    throw Error(std::string("the GPU was lost and does not start again: restart the program (") + error.what() + ")");
+  }
+}
+
+}  // namespace onestroke

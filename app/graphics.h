@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/model_shelf.h"
+#include "render/display.h"
+#include "render/renderer.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace onestroke {
+
+/// A show's GPU and all that is on it: the display's images, the renderer, the models. What is lost with the GPU can be
+/// made again. One thread, the display's.
+class Graphics {
+ public:
+  struct Wanted {
+    const Catalog& catalog;        ///< Outlives this.
+    std::filesystem::path folder;  ///< Where the catalogue's model paths start.
+    GpuOptions gpu;                ///< What the display needs is added.
+  };
+
+  /// The display outlives this. Throws Error.
+  Graphics(Display& display, Wanted wanted);
+
+  /// Both stay where they are when they are made again.
+  Renderer& renderer() { return *renderer_; }
+  const ModelShelf& shelf() const { return *shelf_; }
+
+  /// Lets all of it go and makes it anew, after the GPU was lost; pictures must be set again. Throws Error.
+  void rebuild();
+
+ private:
+  void build();
+
+  Display& display_;
+  Wanted wanted_;
+  std::optional<Gpu> gpu_;
+  std::optional<Renderer> renderer_;
+  std::optional<ModelShelf> shelf_;
+};
+
+}  // namespace onestroke

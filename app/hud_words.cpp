@@ -1,0 +1,50 @@
+#include "app/hud_words.h"
+
+#include <algorithm>
+
+namespace onestroke {
+namespace {
+
+const char* word_for(MarkerState state) {
+  switch (state) {
+    case MarkerState::measured:
+      return "measured";
+    case MarkerState::predicted:
+      return "predicted";
+    case MarkerState::lost:
+      break;
+  }
+  return "lost";
+}
+
+void describe(const MarkerObservation& seen, HudWords::Marker& words) {
+  words.kind = seen.state;
+  words.name.print("%s", seen.name.data());
+  words.state.print("%s", word_for(seen.state));
+  words.cells.clear();
+  words.distance.clear();
+  if (seen.state == MarkerState::lost) return;
+  words.cells.print("%d cells", seen.cells_seen);
+  words.distance.print("%.0f mm", norm(seen.T_camera_marker.translation));
+}
+
+}  // namespace
+
+void HudWords::update(const FrameRecord& record, const FrameFigures& figures) {
+  marker_count_ = figure_count_ = 0;
+  std::array<const MarkerObservation*, max_markers_per_frame> order{};
+  std::size_t count = 0;
+  for (const MarkerObservation& seen : record.seen()) order[count++] = &seen;
+  std::ranges::sort(std::span(order).first(count), {}, &MarkerObservation::id);
+  for (const MarkerObservation* seen : std::span(order).first(count)) describe(*seen, markers_[marker_count_++]);
+  if (rates_)
+    figures_[figure_count_++].print("%.0f pictures/s · %.0f frames/s · %llu left out", figures.pictures_a_second,
+                                    figures.frames_a_second, static_cast<unsigned long long>(figures.left_out));
+  Text& times = figures_[figure_count_++];
+  if (rates_ && figures.age)
+    times.print("Camera to display %.0f ms · tracker %.1f ms", figures.age->ms(), figures.tracker_ms);
+  else
+    times.print("Tracker %.1f ms a picture", figures.tracker_ms);
+}
+
+}  // namespace onestroke

@@ -1,0 +1,143 @@
+#include "render_floor.h"
+
+namespace onestroke::bench {
+
+namespace {
+
+#include "full_screen_frag.spv.h"
+#include "full_screen_vert.spv.h"
+
+using Layout = vk::ImageLayout;
+using Stage = vk::PipelineStageFlagBits2;
+using Reach = vk::AccessFlagBits2;
+
+Image make_picture(Device& device, const RenderTarget& target) {
+  const std::vector<std::byte> grey(std::size_t{4} * static_cast<std::size_t>(target.width * target.height),
+                                    std::byte{0x80});
+  return upload_image(device,
+                      {.format = vk::Format::eR8G8B8A8Srgb,
+                       .width = static_cast<std::uint32_t>(target.width),
+                       .height = static_cast<std::uint32_t>(target.height)},
+                      grey);
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(Device& device) {
+  const vk::DescriptorSetLayoutBinding binding{0, vk::DescriptorType::eCombinedImageSampler, 1,
+                                               vk::ShaderStageFlagBits::eFragment};
+  return device.vk().createDescriptorSetLayout({.bindingCount = 1, .pBindings = &binding});
+}
+
+vk::raii::DescriptorPool make_descriptors(Device& device) {
+  const vk::DescriptorPoolSize size{vk::DescriptorType::eCombinedImageSampler, 1};
+  return device.vk().createDescriptorPool({.maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &size});
+}
+
+vk::DescriptorSet make_set(Device& device, vk::DescriptorPool pool, vk::DescriptorSetLayout layout, vk::Sampler sampler,
+                           const Image& picture) {
+  const vk::DescriptorSet set =
+      device.vk()
+          .allocateDescriptorSets({.descriptorPool = pool, .descriptorSetCount = 1, .pSetLayouts = &layout})
+          .front()
+          .release();
+  const vk::DescriptorImageInfo image{
+      .sampler = sampler, .imageView = picture.view(), .imageLayout = Layout::eShaderReadOnlyOptimal};
+  device.vk().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = set,
+                                                          .dstBinding = 0,
+                                                          .descriptorCount = 1,
+                                                          .descriptorType = vk::DescriptorType::eCombinedImageSampler,
+                                                          .pImageInfo = &image},
+                                   {});
+  return set;
+}
+
+vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout, vk::Format format) {
+  const auto vertex =
+      device.vk().createShaderModule({.codeSize = sizeof full_screen_vert_words, .pCode = full_screen_vert_words});
+  const auto fragment =
+      device.vk().createShaderModule({.codeSize = sizeof full_screen_frag_words, .pCode = full_screen_frag_words});
+  const std::array stages{
+      vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
+      vk::PipelineShaderStageCreateInfo{
+          .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
+  const vk::PipelineVertexInputStateCreateInfo input;
+  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
+  const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
+  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
+  const vk::PipelineMultisampleStateCreateInfo samples{.rasterizationSamples = vk::SampleCountFlagBits::e1};
+  const vk::PipelineColorBlendAttachmentState blend{.colorWriteMask =
+                                                        vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags};
+  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
+  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = dynamic.size(),
+                                                    .pDynamicStates = dynamic.data()};
+  const vk::PipelineRenderingCreateInfo rendering{.colorAttachmentCount = 1, .pColorAttachmentFormats = &format};
+  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
+                                                                      .stageCount = stages.size(),
+                                                                      .pStages = stages.data(),
+                                                                      .pVertexInputState = &input,
+                                                                      .pInputAssemblyState = &assembly,
+                                                                      .pViewportState = &viewport,
+                                                                      .pRasterizationState = &raster,
+                                                                      .pMultisampleState = &samples,
+                                                                      .pColorBlendState = &blends,
+                                                                      .pDynamicState = &dynamics,
+                                                                      .layout = layout});
+}
+
+}  // namespace
+
+RenderFloor::RenderFloor(Device& device, const RenderTarget& target)
+    : device_(device),
+      target_(target),
+      picture_(make_picture(device, target)),
+      sampler_(device.vk().createSampler({.magFilter = vk::Filter::eLinear, .minFilter = vk::Filter::eLinear})),
+      set_layout_(make_set_layout(device)),
+      descriptors_(make_descriptors(device)),
+      set_(make_set(device, *descriptors_, *set_layout_, *sampler_, picture_)),
+      layout_(device.vk().createPipelineLayout({.setLayoutCount = 1, .pSetLayouts = &*set_layout_})),
+      pipeline_(make_pipeline(device, *layout_, static_cast<vk::Format>(target.format))),
+      pool_(device.vk().createCommandPool(
+          {.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = device.queue_family()})),
+      commands_(
+          std::move(device.vk().allocateCommandBuffers({.commandPool = *pool_, .commandBufferCount = 1}).front())),
+      fence_(device.vk().createFence({})) {}
+
+void RenderFloor::clear() {
+  run(false);
+}
+
+void RenderFloor::draw_texture() {
+  run(true);
+}
+
+void RenderFloor::run(bool textured) {
+  const vk::Extent2D extent{static_cast<std::uint32_t>(target_.width), static_cast<std::uint32_t>(target_.height)};
+  pool_.reset();
+  commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+  const Access draw{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
+  image_barrier(commands_, target_.image, {Layout::eUndefined, Layout::eColorAttachmentOptimal}, draw, draw);
+  const vk::RenderingAttachmentInfo attachment{
+      .imageView = target_.view,
+      .imageLayout = Layout::eColorAttachmentOptimal,
+      .loadOp = textured ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eClear,
+      .storeOp = vk::AttachmentStoreOp::eStore,
+      .clearValue = {.color = {.float32 = std::array{0.1F, 0.2F, 0.3F, 1.0F}}}};
+  commands_.beginRendering(
+      {.renderArea = {.extent = extent}, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &attachment});
+  if (textured) {
+    commands_.setViewport(
+        0, vk::Viewport{0, 0, static_cast<float>(target_.width), static_cast<float>(target_.height), 0.0F, 1.0F});
+    commands_.setScissor(0, vk::Rect2D{{0, 0}, extent});
+    commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+    commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, set_, {});
+    commands_.draw(3, 1, 0, 0);
+  }
+  commands_.endRendering();
+  commands_.end();
+  device_.vk().resetFences(*fence_);
+  const vk::CommandBufferSubmitInfo buffer{.commandBuffer = *commands_};
+  device_.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer}, *fence_);
+  vk::resultCheck(device_.vk().waitForFences(*fence_, true, UINT64_MAX), "waiting for the floor");
+}
+
+}  // namespace onestroke::bench
