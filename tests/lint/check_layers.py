@@ -34,6 +34,8 @@ ROOMS = {
     "Eigen": (re.compile(r"Eigen/"), {"engine/tracking", "platform/camera", "platform/display"}),
     "GLM": (re.compile(r"glm/"), {"engine/scene", "engine/render", "shaders", "app"}),
     "Vulkan": (re.compile(r"vulkan/"), {"engine/render", "platform/display"}),
+    "Assimp": (re.compile(r"assimp/"), {"engine/scene"}),
+    "meshoptimizer": (re.compile(r"meshoptimizer"), {"engine/scene"}),
     "GLFW": (re.compile(r"GLFW/"), {"platform/display"}),
 }
 

@@ -194,7 +194,8 @@ TEST(CatalogJson, RefusesWrongTypes) {
   EXPECT_THAT(second_with(R"("cells": ["R"])"), HasSubstr("\"cells\" must be a text"));
   EXPECT_THAT(second_with(R"("value": -1)"), HasSubstr("\"value\" must be a whole number"));
   EXPECT_THAT(second_with(R"("value": "1")"), HasSubstr("\"value\" must be a whole number"));
-  EXPECT_THAT(second_with(R"("value": 3, "model": null)"), HasSubstr("\"model\" must be a text, or an object with \"file\", not null"));
+  EXPECT_THAT(second_with(R"("value": 3, "model": null)"),
+              HasSubstr("\"model\" must be a text, or an object with \"file\", not null"));
   EXPECT_THAT(second_shaped("\"angle\""), HasSubstr("\"shape\" must be an object"));
   EXPECT_THAT(second_shaped(R"({"kind": "ring"})"), HasSubstr("\"ring\"; it must be \"angle\""));
   EXPECT_THAT(error_of([] { catalog_from_json("[]", "f.json"); }), HasSubstr("must be an object, not array"));
