@@ -3,6 +3,7 @@
 #include "render/font.h"
 #include "render/projection.h"
 #include "render/target.h"
+#include "render/upload.h"
 #include "scene/frames.h"
 
 #include <glm/geometric.hpp>
@@ -177,7 +178,7 @@ void FrameRecorder::write_set(const FrameSlot& slot, const PictureStore& picture
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
                            const RenderTarget& target, PictureStore& picture) {
   fit(target, slot.graveyard);
-  models_.prepare(scene.instances);
+  models_.prepare(scene.instances, views);
   overlay_.build(scene, views);
   picture.record(slot);
   fill_arena(slot, scene, views, picture);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/model_store.h"
+#include "render/view.h"
 #include "shaders/shared.h"
 
 namespace onestroke {
@@ -10,8 +11,9 @@ class ModelPass {
  public:
   explicit ModelPass(const ModelStore& store) : store_(store) {}
 
-  /// Sorts the instances by how they are drawn. They must live until the frame is recorded.
-  void prepare(std::span<const ModelInstance> instances);
+  /// Sorts the instances by how they are drawn, each in as much detail as the view that shows it largest tells apart.
+  /// They must live until the frame is recorded.
+  void prepare(std::span<const ModelInstance> instances, std::span<const View> views);
   /// Records one view, seen from `eye` (world, graphics axes).
   void record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
               const glm::vec3& eye);
@@ -19,7 +21,8 @@ class ModelPass {
  private:
   struct Draw {
     const GpuModel* model = nullptr;
-    const GpuModel::Part* part = nullptr;  // null: every part of the model
+    const GpuModel::Parts* level = nullptr;
+    const GpuModel::Part* part = nullptr;  // of the level; null: every one of it
     const ModelInstance* instance = nullptr;
     float distance = 0;
   };

@@ -10,13 +10,14 @@ struct Renderer::Impl {
   explicit Impl(std::shared_ptr<Device> gpu)
       : device(std::move(gpu)),
         layouts(*device),
-        models(*device, layouts),
+        maker(*device, layouts),
         picture(*device),
         recorder(*device, layouts, models),
         ring(*device, *layouts.frame) {}
 
   std::shared_ptr<Device> device;
   Layouts layouts;
+  ModelMaker maker;
   ModelStore models;
   PictureStore picture;
   FrameRecorder recorder;
@@ -29,12 +30,16 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-ModelHandle Renderer::load(const Model& model) {
+std::shared_ptr<PreparedModel> Renderer::prepare(const Model& model) const {
   try {
-    return impl_->models.load(model);
+    return impl_->maker.make(model);
   } catch (const vk::SystemError& error) {
     throw Error("model " + model.name + " does not fit the GPU: use a smaller one (" + error.what() + ")");
   }
+}
+
+ModelHandle Renderer::adopt(std::shared_ptr<PreparedModel> prepared) {
+  return impl_->models.adopt(std::move(prepared));
 }
 
 void Renderer::unload(ModelHandle model) {
@@ -56,6 +61,7 @@ void Renderer::clear_picture() {
 bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
   try {
     FrameSlot& slot = impl_->ring.begin();
+    impl_->models.record_uploads(slot);
     impl_->recorder.record(slot, scene, frame.seen(), *frame.target, impl_->picture);
     impl_->ring.submit(*frame.target);
     return true;

@@ -10,8 +10,9 @@
 namespace onestroke {
 
 struct Model;
+struct PreparedModel;
 
-/// Draws frames. One thread, the GPU's.
+/// Draws frames. One thread, the GPU's, but for prepare().
 class Renderer {
  public:
   explicit Renderer(Gpu& gpu);
@@ -19,8 +20,14 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Takes a model to the GPU; blocks for that. Throws Error where it has no room or the model is not sound.
-  ModelHandle load(const Model& model);
+  /// Makes a model's memory on the GPU and fills it, on any thread, while another one draws: for models that take long.
+  /// Throws Error where there is no room or the model is not sound. What is returned must go before the renderer does.
+  std::shared_ptr<PreparedModel> prepare(const Model& model) const;
+  /// Takes in what was prepared, once; it can be drawn from the next frame on, with which it goes to the GPU. Never
+  /// waits.
+  ModelHandle adopt(std::shared_ptr<PreparedModel> prepared);
+  /// Both at once; blocks while memory is filled.
+  ModelHandle load(const Model& model) { return adopt(prepare(model)); }
   /// Frees the model once the frames in flight are done. The handle may be given to another model later.
   void unload(ModelHandle model);
 
