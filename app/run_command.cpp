@@ -88,9 +88,15 @@ int run_command(const RunOptions& options, std::ostream& out) {
   Gpu gpu({.needs = display->needs(), .validation = set("ONESTROKE_VALIDATION")});
   display->attach(gpu);
   Renderer renderer(gpu);
-  const ModelShelf shelf(catalog, file.parent_path(), renderer);
+  ModelShelf shelf(catalog, file.parent_path(), renderer);
   const ShowLimits limits = limits_for(options, *camera, offscreen);
   const std::size_t expected = pictures_expected(limits, *camera);
+
+  // A window shows how far the models are; files would show it for ever.
+  if (offscreen) {
+    Progress progress;
+    shelf.wait([&](const std::string& line) { progress.say(line); });
+  }
 
   catch_interrupt();
   Tracker tracker(catalog);

@@ -62,6 +62,7 @@ void Show::stand_at_camera(FrameInfo& frame) const {
 
 bool Show::draw(FrameInfo& frame, bool new_picture) {
   stand_at_camera(frame);
+  parts_.shelf.update();
   const std::uint64_t dropped = parts_.tracking.pictures_dropped() + parts_.tracking.frames_dropped();
   const std::string_view status = status_.update(feed_.record(), new_picture, dropped, Time::now());
   return parts_.renderer.draw(hands_.update(feed_.record(), feed_.now(), frame.seen(), status), frame);

@@ -19,7 +19,7 @@ struct ShowLimits {
 };
 
 /// The render loop: frame after frame, the newest of the feed, seen by the display's views. Nothing in it throws on its
-/// own account, waits for a lock or allocates once pictures of the same size have come.
+/// own account, waits for a lock or allocates once all models are there and pictures of the same size have come.
 class Show {
  public:
   /// All outlive the show.
@@ -27,7 +27,7 @@ class Show {
     Display& display;
     Renderer& renderer;
     TrackingThread& tracking;
-    const ModelShelf& shelf;
+    ModelShelf& shelf;
   };
 
   Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode);

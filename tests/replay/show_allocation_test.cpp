@@ -39,7 +39,8 @@ TEST(Show, AllocatesNothingOnceWarm) {
     Gpu gpu({.needs = display.needs()});
     display.attach(gpu);
     Renderer renderer(gpu);
-    const ModelShelf shelf(catalog, assets, renderer);
+    ModelShelf shelf(catalog, assets, renderer);
+    shelf.wait();
     make_room_for_words(display, renderer);
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
