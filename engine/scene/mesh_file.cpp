@@ -12,6 +12,12 @@ namespace onestroke {
 
 namespace {
 
+// Lines may end as in Windows, or as in the Macs of old, which nobody else can read.
+void end_lines_alike(Bytes& bytes) {
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    if (bytes[i] == '\r' && (i + 1 == bytes.size() || bytes[i + 1] != '\n')) bytes[i] = '\n';
+}
+
 // Text files of Windows may be UTF-16, with a mark that says which half of a letter comes first.
 void make_utf8(Bytes& bytes) {
   const auto at = [&](std::size_t i) { return i < bytes.size() ? bytes[i] : 0U; };
@@ -52,6 +58,7 @@ void read_stl(const std::filesystem::path& file, Bytes bytes, const LoadProgress
 
 void read_obj(const std::filesystem::path& file, Bytes bytes, const LoadProgress& progress, Model& model) {
   make_utf8(bytes);
+  end_lines_alike(bytes);
   if (std::find(bytes.begin(), bytes.end(), 0) != bytes.end())
     throw Error(file.string() + ": not an OBJ file, which is text; export the model again");
   refuse_without_faces(file, bytes);
@@ -59,7 +66,7 @@ void read_obj(const std::filesystem::path& file, Bytes bytes, const LoadProgress
 }
 
 void read_ply(const std::filesystem::path& file, Bytes bytes, const LoadProgress& progress, Model& model) {
-  check_ply(file.string(), bytes);
+  prepare_ply(file.string(), bytes);
   import_mesh(file, std::move(bytes), {.extension = ".ply"}, progress, model);
 }
 

@@ -52,8 +52,16 @@ class Layout {
 
   void check() {
     read_header();
+    body_ = at_;
     check_elements();
     for (const Element& element : elements_) form_ == Form::ascii ? walk_lines(element) : walk_bytes(element);
+  }
+
+  // Where the numbers begin.
+  std::size_t body() const { return body_; }
+  // Behind the end of a line Assimp takes another for the second half of it, unless it was of two halves already.
+  bool looks_like_line_end() const {
+    return form_ != Form::ascii && text_.substr(body_, 1) == "\n" && text_[body_ - 2] != '\r';
   }
 
  private:
@@ -192,15 +200,17 @@ class Layout {
 
   const std::string file_;
   const std::string_view text_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, body_ = 0;
   std::optional<Form> form_;
   std::vector<Element> elements_;
 };
 
 }  // namespace
 
-void check_ply(const std::string& file, const Bytes& bytes) {
-  Layout(file, bytes).check();
+void prepare_ply(const std::string& file, Bytes& bytes) {
+  Layout layout(file, bytes);
+  layout.check();
+  if (layout.looks_like_line_end()) bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(layout.body()), '\n');
 }
 
 }  // namespace onestroke

@@ -95,6 +95,33 @@ TEST_F(MeshFile, WhatAFileIsDoesNotHangOnItsNameAlone) {
   EXPECT_THAT(complaint("a.obj", "<html></html> and more of it"), HasSubstr("not an OBJ file"));
 }
 
+TEST_F(MeshFile, LinesEndAsTheyLike) {
+  const auto with_ends = [](std::string text, const std::string& end) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + end.size()))
+      text.replace(at, 1, end);
+    return text;
+  };
+  expect_box(load("a.obj", with_ends(box_.obj(), "\r\n")), {0, 0, 0}, {0.06F, 0.04F, 0.02F});
+  expect_box(load("b.obj", with_ends(box_.obj(), "\r")), {0, 0, 0}, {0.06F, 0.04F, 0.02F});
+  expect_box(load("a.stl", with_ends(box_.ascii_stl(), "\r\n")), {0, 0, -0.04F}, {0.06F, 0.02F, 0});
+  expect_box(load("a.ply", with_ends(box_.ascii_ply(), "\r\n")), {0, 0, -0.04F}, {0.06F, 0.02F, 0});
+}
+
+// The first number's first byte may be any, those that end a line in text too.
+TEST_F(MeshFile, BinaryPlyMayBeginWithAnyByte) {
+  for (const bool windows : {false, true})
+    for (int first = 0; first < 256; ++first) {
+      SCOPED_TRACE(first);
+      std::string header = BoxMesh::ply_header("binary_little_endian", 8, 12), whole = box_.binary_ply();
+      const std::string body = whole.substr(header.size());
+      for (std::size_t at = header.find('\n'); windows && at != std::string::npos; at = header.find('\n', at + 2))
+        header.replace(at, 1, "\r\n");
+      whole = header + body;
+      whole[header.size()] = static_cast<char>(first);
+      EXPECT_EQ(load("a.ply", whole).indices.size(), 36U);
+    }
+}
+
 TEST_F(MeshFile, StlOfManyMakersIsRead) {
   const std::array<float, 3> lower{0, 0, -0.04F}, upper{0.06F, 0.02F, 0};
   expect_box(load("solid.stl", box_.binary_stl("solid as binary files should not begin")), lower, upper);
