@@ -3,6 +3,8 @@
 #include "scene/level_error.h"
 #include "scene/mesh_weld.h"
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -61,6 +63,9 @@ class PartLevels {
   PartLevels(Surface full, bool keeps_normals) : keeps_normals_(keeps_normals), full_size_(full.vertices.size()) {
     part_.vertices = std::move(full.vertices);
     part_.details.push_back({std::move(full.indices)});
+    double sum = 0;
+    for (std::size_t i = 0; i < finest_left().size(); i += 3) sum += outwards(&finest_left()[i]);
+    side_ = sum < 0 ? -1 : 1;
   }
 
   PartDetails make(const std::function<void()>& step) {
@@ -102,6 +107,21 @@ class PartLevels {
     return half;
   }
 
+  // Here and there the simplification folds a surface; the piece that lies upside down would be lit from behind. Once
+  // turned it does not fit its neighbours, so that this comes last.
+  void turn_over_folded(Indices& indices) const {
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+      if (outwards(&indices[i]) * side_ < 0) std::swap(indices[i + 1], indices[i + 2]);
+  }
+
+  // More than 0 where a triangle faces to where its normals do.
+  double outwards(const std::uint32_t* corners) const {
+    const auto at = [&](std::size_t k) -> const ModelVertex& { return part_.vertices[corners[k]]; };
+    const auto point = [&](std::size_t k) { return glm::dvec3(glm::make_vec3(at(k).position.data())); };
+    const auto normal = [&](std::size_t k) { return glm::dvec3(glm::make_vec3(at(k).normal.data())); };
+    return glm::dot(glm::cross(point(1) - point(0), point(2) - point(0)), normal(0) + normal(1) + normal(2));
+  }
+
   // A rough surface, as of a scan, has hard edges everywhere, which hold each other fast. What is made of it without
   // them gets normals of its own.
   Indices half_with_new_normals() {
@@ -115,8 +135,12 @@ class PartLevels {
     }
     loose.indices = half_of(loose.indices);
     if (!worth_it(loose.indices)) return {};
+    turn_over_folded(loose.indices);
     weld(loose);
     compute_normals(loose, usual_crease);
+    if (side_ < 0)
+      for (ModelVertex& v : loose.vertices)
+        for (float& x : v.normal) x = -x;
     fill_tangents(loose);
     const auto base = static_cast<std::uint32_t>(part_.vertices.size());
     part_.vertices.insert(part_.vertices.end(), loose.vertices.begin(), loose.vertices.end());
@@ -134,6 +158,7 @@ class PartLevels {
     const auto count = part_.vertices.size();
     Indices all;
     for (Detail& d : part_.details) {
+      if (&d != &part_.details.front()) turn_over_folded(d.indices);
       meshopt_optimizeVertexCache(d.indices.data(), d.indices.data(), d.indices.size(), count);
       meshopt_optimizeOverdraw(d.indices.data(), d.indices.data(), d.indices.size(),
                                part_.vertices.front().position.data(), count, sizeof(ModelVertex), overdraw_for_cache);
@@ -150,6 +175,7 @@ class PartLevels {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   const bool keeps_normals_;
   const std::size_t full_size_;
+  double side_ = 1;  // -1 where the full triangles face away from their normals.
   PartDetails part_;
 };
 

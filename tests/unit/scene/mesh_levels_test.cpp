@@ -152,6 +152,40 @@ TEST(Levels, AreNoFartherOffThanTheySay) {
   }
 }
 
+// Otherwise they would be lit from behind, in spots.
+void expect_one_side(double side) {
+  Model m = model_of({sheet(200, [&](double u, double v) {
+    ModelVertex made = on_ball(u, v);
+    const double bump = 1 + 0.05 * std::sin(40 * u) * std::sin(30 * v);
+    for (float& x : made.position) x = static_cast<float>(double{x} * bump);
+    for (float& x : made.normal) x *= static_cast<float>(side);
+    return made;
+  })});
+  add_levels(m);
+  ASSERT_GE(m.levels.size(), 4U);
+  for (const ModelLevel& level : m.levels) {
+    const auto indices = indices_of(m, level.parts[0]);
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+      const auto point = [&](std::size_t k) {
+        return glm::dvec3(glm::make_vec3(m.vertices[indices[i + k]].position.data()));
+      };
+      const auto normal = [&](std::size_t k) {
+        return glm::dvec3(glm::make_vec3(m.vertices[indices[i + k]].normal.data()));
+      };
+      const glm::dvec3 face = glm::cross(point(1) - point(0), point(2) - point(0));
+      EXPECT_GE(side * glm::dot(face, normal(0) + normal(1) + normal(2)), 0);
+    }
+  }
+}
+
+TEST(Levels, FaceToWhereTheirNormalsDo) {
+  expect_one_side(1);
+}
+
+TEST(Levels, OfASurfaceThatIsInsideOutAreSoToo) {
+  expect_one_side(-1);
+}
+
 TEST(Levels, CostNothingWhereTheSurfaceIsFlat) {
   Model m = model_of({sheet(80, on_plane)});
   add_levels(m);
