@@ -16,7 +16,7 @@ namespace onestroke {
 
 namespace {
 
-constexpr std::size_t most_samples = 20'000;
+constexpr std::size_t most_samples = 10'000;
 // What nobody sees: a step of colour, and the angle between two normals, 15 degrees.
 constexpr double same_color = 0.04, same_normal_cos = 0.9659;
 constexpr double overlooked = 0.005;  // The share of the vertices whose colours and shades are not looked at.

@@ -74,7 +74,7 @@ class ShelfStage : public golden::Stage {
 };
 
 TEST_F(ShelfStage, AStickShowsItsAxesUntilItsModelIsThere) {
-  write_sheet("sheet.obj", 250);
+  write_sheet("sheet.obj", 120);
   ModelShelf shelf(carrying("sheet.obj", {.fit = 60}), folder_, *renderer);
   TwoHands hands(shelf);
   ASSERT_THAT(words(shelf), testing::MatchesRegex("loading [0-9]+ %"));
@@ -104,7 +104,7 @@ TEST_F(ShelfStage, AModelThatCannotBeLoadedHasItsReasonInTheLabel) {
 }
 
 TEST_F(ShelfStage, WaitingForAllSaysHowFarTheyAreAndThrowsWhereOneFails) {
-  write_sheet("sheet.obj", 200);
+  write_sheet("sheet.obj", 100);
   ModelShelf shelf(carrying("sheet.obj"), folder_, *renderer);
   int said = 0;
   shelf.wait([&](const std::string& line) {
@@ -123,7 +123,7 @@ TEST_F(ShelfStage, WaitingForAllSaysHowFarTheyAreAndThrowsWhereOneFails) {
 }
 
 TEST_F(ShelfStage, LeavingEarlyDoesNotWaitForTheModels) {
-  write_sheet("sheet.obj", 700);
+  write_sheet("sheet.obj", 300);
   const auto start = std::chrono::steady_clock::now();
   { const ModelShelf shelf(carrying("sheet.obj"), folder_, *renderer); }
   const auto left = std::chrono::steady_clock::now() - start;
