@@ -1,5 +1,6 @@
 #include "app/graphics.h"
 
+#include "app/progress.h"
 #include "core/error.h"
 
 #include <utility>
@@ -14,8 +15,12 @@ Graphics::Graphics(Display& display, Wanted wanted) : display_(display), wanted_
 void Graphics::build() {
   gpu_.emplace(wanted_.gpu);
   display_.attach(*gpu_);
-  renderer_.emplace(*gpu_);
+  renderer_.emplace(*gpu_, RendererOptions{.room = room_});
+  room_ = renderer_->room();
   shelf_.emplace(wanted_.catalog, wanted_.folder, *renderer_);
+  if (!wanted_.models_first) return;
+  Progress progress;
+  shelf_->wait([&](const std::string& line) { progress.say(line); });
 }
 
 void Graphics::rebuild() {

@@ -16,6 +16,7 @@ class Graphics {
   struct Wanted {
     const Catalog& catalog;        ///< Outlives this.
     std::filesystem::path folder;  ///< Where the catalogue's model paths start.
+    bool models_first = false;     ///< Whether to wait for all models; otherwise they come while frames are drawn.
     GpuOptions gpu;                ///< What the display needs is added.
   };
 
@@ -24,7 +25,7 @@ class Graphics {
 
   /// Both stay where they are when they are made again.
   Renderer& renderer() { return *renderer_; }
-  const ModelShelf& shelf() const { return *shelf_; }
+  ModelShelf& shelf() { return *shelf_; }
 
   /// Lets all of it go and makes it anew, after the GPU was lost; pictures must be set again. Throws Error.
   void rebuild();
@@ -34,6 +35,7 @@ class Graphics {
 
   Display& display_;
   Wanted wanted_;
+  std::shared_ptr<RoomLight> room_;
   std::optional<Gpu> gpu_;
   std::optional<Renderer> renderer_;
   std::optional<ModelShelf> shelf_;

@@ -92,6 +92,10 @@ inline constexpr const char* marker_examples = R"(Examples:
 Exchange form, lengths in millimetres:
   {"markers": [{"id": 1, "name": "m01", "cells": "RGBRGB...", "model": "bracket.glb",
     "shape": {"kind": "angle", "cells": 36, "pitch": 4.0, "radius": 3.0, "bend_radius": 0.0}}]}
-"value": NUMBER may stand for "cells". Other shapes: "line" (no bend_radius), and "stroke" with "vertices": [[x,y,z], ...].)";
+"value": NUMBER may stand for "cells". Other shapes: "line" (no bend_radius), and "stroke" with "vertices": [[x,y,z], ...].
+Models are glTF, STL, OBJ or PLY files, their paths from the catalogue's folder. To say more of one:
+  "model": {"file": "part.stl", "unit": "in", "up": "y", "fit": 60}
+"unit": "m", "cm", "mm", "in" or "ft"; "up": "x", "y" or "z". Usual are metres and y up in glTF, millimetres and y up in OBJ,
+millimetres and z up in STL and PLY. "fit" makes the longest side so many millimetres; otherwise a model has its size.)";
 
 }  // namespace onestroke::help

@@ -92,7 +92,7 @@ std::string describe(const Catalog& catalog) {
   for (const MarkerSpec& m : catalog.markers)
     rows.push_back({std::to_string(m.id), m.name, kind_name(m.shape.kind()), std::to_string(m.shape.cells()),
                     number(m.shape.pitch()), number(m.shape.radius()), number(m.shape.bend_radius()),
-                    m.model.empty() ? "-" : m.model});
+                    m.model.empty() ? "-" : m.model + words_of(m.import)});
   return table(rows);
 }
 
@@ -128,7 +128,7 @@ std::string describe(const MarkerSpec& marker) {
   const std::vector<Row> rows{
       {"id", std::to_string(marker.id)},
       {"name", marker.name},
-      {"model", marker.model.empty() ? "none" : marker.model},
+      {"model", marker.model.empty() ? "none" : marker.model + words_of(marker.import)},
       {"cells", to_letters(marker.cells)},
       {"value", code_text(marker)},
       {"shape", std::string(kind_name(shape.kind())) + ", " + std::to_string(shape.cells()) + " cells of " +

@@ -2,40 +2,12 @@
 
 #include "app/rod_mesh.h"
 #include "core/error.h"
-#include "scene/anchor.h"
-#include "scene/frames.h"
-#include "scene/model.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <map>
+#include <thread>
 
 namespace onestroke {
 namespace {
-
-struct Loaded {
-  ModelHandle handle{};
-  std::string name;
-  glm::mat4 marker_graphics_from_model{1};
-  double reach = 0;
-};
-
-double reach_of(const Model& model, const glm::mat4& marker_graphics_from_model) {
-  const glm::vec3 pivot = point_to_graphics(anchor_pivot);
-  float farthest = 0;
-  for (const ModelVertex& v : model.vertices) {
-    const glm::vec4 at = marker_graphics_from_model * glm::vec4(v.position[0], v.position[1], v.position[2], 1.0F);
-    farthest = std::max(farthest, glm::distance(glm::vec3(at), pivot));
-  }
-  return farthest / metres_per_millimetre;
-}
-
-Loaded load(const std::filesystem::path& file, Renderer& renderer) {
-  const Model model = load_model(file);
-  const glm::mat4 place = marker_graphics_from_model(model);
-  return {renderer.load(model), model.name, place, reach_of(model, place)};
-}
 
 std::vector<Vec3> ring_middles(const Shape& shape) {
   std::vector<Vec3> middles;
@@ -50,34 +22,93 @@ bool same_words(std::string a, std::string b) {
   return a == b;
 }
 
+/// A message for a label: without the folder.
+std::string shortened(std::string reason, const std::filesystem::path& file) {
+  if (reason.starts_with(file.string())) reason.replace(0, file.string().size(), file.filename().string());
+  return reason;
+}
+
 }  // namespace
 
-ModelShelf::ModelShelf(const Catalog& catalog, const std::filesystem::path& folder, Renderer& renderer) {
-  std::map<std::string, Loaded> loaded;
+ModelShelf::ModelShelf(const Catalog& catalog, const std::filesystem::path& folder, Renderer& renderer)
+    : renderer_(renderer) {
+  std::vector<ModelLoader::Wish> wishes;
   for (const MarkerSpec& marker : catalog.markers) {
-    ShelfEntry entry{.marker_id = marker.id,
-                     .model = {},
-                     .corners = marker.shape.vertices(),
-                     .cells = ring_middles(marker.shape),
-                     .radius = marker.shape.radius(),
-                     .rod = renderer.load(rod_mesh(marker.shape))};
-    CarriedModel carried{marker.id, {}};
-    if (!marker.model.empty()) {
-      auto at = loaded.find(marker.model);
-      try {
-        if (at == loaded.end()) at = loaded.emplace(marker.model, load(folder / marker.model, renderer)).first;
-      } catch (const Error& error) {
-        throw Error("marker " + std::to_string(marker.id) + " (" + marker.name + "): " + error.what());
-      }
-      const Loaded& model = at->second;
-      entry.model = model.handle;
-      entry.marker_graphics_from_model = model.marker_graphics_from_model;
-      entry.reach = model.reach;
-      if (!same_words(model.name, marker.name)) carried.model_name = model.name;
+    entries_.push_back({.marker_id = marker.id,
+                        .model = {},
+                        .corners = marker.shape.vertices(),
+                        .cells = ring_middles(marker.shape),
+                        .radius = marker.shape.radius(),
+                        .rod = renderer.load(rod_mesh(marker.shape))});
+    carried_.push_back({.marker_id = marker.id});
+    names_.push_back(marker.name);
+    if (marker.model.empty()) continue;
+    const ModelLoader::Wish wish{folder / marker.model, marker.import};
+    const auto at = static_cast<std::size_t>(std::ranges::find(wishes, wish) - wishes.begin());
+    if (at == wishes.size()) {
+      wishes.push_back(wish);
+      files_.push_back(wish.file);
+      wished_.emplace_back();
     }
-    entries_.push_back(entry);
-    carried_.push_back(std::move(carried));
+    wished_[at].entries.push_back(entries_.size() - 1);
   }
+  waiting_ = wishes.size();
+  if (!wishes.empty()) loader_.emplace(std::move(wishes), renderer);
+  update();
+}
+
+void ModelShelf::update() {
+  for (std::size_t wish = 0; waiting_ > 0 && wish < wished_.size(); ++wish)
+    if (!wished_[wish].settled) settle(wish);
+}
+
+void ModelShelf::settle(std::size_t wish) {
+  const ModelLoader::State state = loader_->state(wish);
+  if (state == ModelLoader::State::waiting) {
+    for (const std::size_t entry : wished_[wish].entries)
+      carried_[entry].words.print("loading %d %%", loader_->percent(wish));
+    return;
+  }
+  wished_[wish].settled = true;
+  --waiting_;
+  if (state == ModelLoader::State::loaded)
+    take_in(wish);
+  else
+    give_up(wish);
+}
+
+void ModelShelf::take_in(std::size_t wish) {
+  ModelLoader::Loaded loaded = loader_->take(wish);
+  const ModelHandle handle = renderer_.adopt(std::move(loaded.prepared));
+  for (const std::size_t entry : wished_[wish].entries) {
+    entries_[entry].model = handle;
+    entries_[entry].placement = loaded.placement;
+    carried_[entry].pivot = loaded.placement.pivot;
+    carried_[entry].words = Text(same_words(loaded.name, names_[entry]) ? "" : loaded.name);
+  }
+}
+
+void ModelShelf::give_up(std::size_t wish) {
+  const std::string& reason = loader_->reason(wish);
+  for (const std::size_t entry : wished_[wish].entries) {
+    carried_[entry].words = Text(shortened(reason, files_[wish]));
+    if (failure_.empty())
+      failure_ = "marker " + std::to_string(entries_[entry].marker_id) + " (" + names_[entry] + "): " + reason;
+  }
+}
+
+void ModelShelf::wait(const std::function<void(const std::string&)>& say) {
+  for (update(); waiting_ > 0 && failure_.empty(); update()) {
+    if (say) say("loading models, " + std::to_string(percent()) + " %");
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  if (!failure_.empty()) throw Error(failure_);
+}
+
+int ModelShelf::percent() const {
+  int sum = 0;
+  for (std::size_t wish = 0; wish < wished_.size(); ++wish) sum += wished_[wish].settled ? 100 : loader_->percent(wish);
+  return sum / static_cast<int>(wished_.size());
 }
 
 const ShelfEntry* ModelShelf::find(int marker_id) const {

@@ -17,8 +17,12 @@ Progress::~Progress() {
 }
 
 void Progress::say(std::size_t done, std::size_t of, const std::string& more) {
+  if (shown_) say(std::to_string(done) + (of ? "/" + std::to_string(of) : std::string()) + " pictures" + more);
+}
+
+void Progress::say(const std::string& line) {
   if (!shown_) return;
-  line_ = std::to_string(done) + (of ? "/" + std::to_string(of) : std::string()) + " pictures" + more;
+  line_ = line;
   const Time now = Time::now();
   if (now.ns < next_ns_) return;
   next_ns_ = (now + Duration::from_ms(100)).ns;

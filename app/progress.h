@@ -17,6 +17,7 @@ class Progress {
   bool shown() const { return shown_; }
   /// At most some ten times a second.
   void say(std::size_t done, std::size_t of, const std::string& more);
+  void say(const std::string& line);
 
  private:
   void print();

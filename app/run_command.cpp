@@ -99,6 +99,8 @@ int run_command(const RunOptions& options, std::ostream& out) {
       *display,
       {.catalog = catalog,
        .folder = file.parent_path(),
+       // A window shows how far the models are; files would show it for ever.
+       .models_first = offscreen,
        .gpu = {.validation = set("ONESTROKE_VALIDATION"), .gpu = options.gpu, .cache_folder = cache_folder()}});
   const ShowLimits limits = limits_for(options, *camera, offscreen);
   const std::size_t expected = pictures_expected(limits, *camera);

@@ -62,6 +62,7 @@ void Show::recover(Time now) {
                 " seconds: update its driver, or choose another with --gpu");
   lost_at_ = now;
   parts_.graphics.rebuild();
+  hands_.shelf_is_new();
   if (picture_) parts_.graphics.renderer().set_picture(*picture_, covered_.find(feed_.record(), *picture_));
 }
 
@@ -105,6 +106,7 @@ void Show::measure(const FrameInfo& frame, bool new_picture) {
 
 bool Show::draw(FrameInfo& frame, bool new_picture) {
   stand_at_camera(frame);
+  parts_.graphics.shelf().update();
   measure(frame, new_picture);
   const FrameRecord& record = feed_.record();
   // A panel on a desk; before the eyes a line is enough.

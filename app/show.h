@@ -22,8 +22,8 @@ struct ShowLimits {
 };
 
 /// The render loop: frame after frame, the newest of the feed, seen by the display's views. Nothing in it throws on its
-/// own account, waits for a lock or allocates once pictures of the same size have come. Where the GPU is lost, all that
-/// is on it is made again, and the show goes on with the frame that was lost.
+/// own account, waits for a lock or allocates once all models are there and pictures of the same size have come. Where
+/// the GPU is lost, all that is on it is made again, and the show goes on with the frame that was lost.
 class Show {
  public:
   /// A GPU that is lost again so soon, by the display's clock, will not stay.

@@ -1,7 +1,6 @@
 #include "app/two_hands.h"
 
 #include "app/label_layout.h"
-#include "scene/anchor.h"
 #include "scene/frames.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -67,10 +66,10 @@ void TwoHands::add_sticks(const FrameRecord& record) {
 void TwoHands::add_model(const HandView& hand) {
   const ShelfEntry* entry = shelf_.find(hand.marker_id);
   if (!entry || !entry->model) return;
-  instances_[instance_count_++] = {
-      .model = *entry->model,
-      .world_graphics_from_model = to_array(to_graphics(hand.T_world_model) * entry->marker_graphics_from_model),
-      .tint = {1, 1, 1, static_cast<float>(hand.opacity)}};
+  instances_[instance_count_++] = {.model = *entry->model,
+                                   .world_graphics_from_model = to_array(to_graphics(hand.T_world_model) *
+                                                                         entry->placement.marker_graphics_from_model),
+                                   .tint = {1, 1, 1, static_cast<float>(hand.opacity)}};
 }
 
 // A stick without a model still shows which way it stands.
@@ -93,8 +92,8 @@ void TwoHands::add_labels(const View& view) {
     const bool has_model = entry && entry->model;
     hands[count] = &hand;
     wishes[count++] = {hand.label.view(),
-                       has_model ? hand.T_world_model * anchor_pivot : hand.T_world_model.translation,
-                       has_model ? entry->reach : axis_length};
+                       has_model ? hand.T_world_model * entry->placement.pivot : hand.T_world_model.translation,
+                       has_model ? entry->placement.reach : axis_length};
   }
   std::array<std::optional<LabelPlace>, 2> places;
   place_labels(view, {wishes.data(), count}, places);

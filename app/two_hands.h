@@ -19,6 +19,8 @@ class TwoHands {
   /// The shelf outlives this.
   explicit TwoHands(const ModelShelf& shelf);
 
+  /// After the shelf was made again in its place.
+  void shelf_is_new() { comparison_.carry(shelf_.carried()); }
   void toggle_link() { comparison_.toggle(); }
   void toggle_words() { words_ = !words_; }
   bool words() const { return words_; }

@@ -11,6 +11,7 @@
 namespace onestroke {
 namespace {
 
+constexpr double largest_fit = 10'000;  // mm
 constexpr std::string_view sqlite_magic{"SQLite format 3\0", 16};
 
 std::string read_file(const std::filesystem::path& file) {
@@ -45,6 +46,10 @@ void check_marker(const MarkerSpec& marker) {
     throw Error("the name is longer than " + std::to_string(max_name_length) + " bytes");
   if (std::ranges::any_of(marker.name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
     throw Error("the name contains a control character");
+  if (marker.model.empty() && marker.import != ModelImport{})
+    throw Error("there is no model, but something is said of it");
+  if (marker.import.fit && !(*marker.import.fit > 0 && *marker.import.fit <= largest_fit))
+    throw Error("\"fit\" must be more than 0 and at most 10000 mm");
   const std::string violation = law_violation(marker.cells);
   if (!violation.empty()) throw Error("cells break the law of the code: " + violation);
   if (marker.cells.size() != static_cast<std::size_t>(marker.shape.cells()))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model_import.h"
 #include "marker/color_code.h"
 #include "marker/shape.h"
 
@@ -10,13 +11,14 @@
 namespace onestroke {
 
 /// One marker: what it is called, its code, its rod, and the model that stands on it (a path as written; empty for
-/// none).
+/// none) with what is said of it.
 struct MarkerSpec {
   int id = 0;
   std::string name;
   Cells cells;
   Shape shape;
   std::string model;
+  ModelImport import{};
 };
 
 /// Markers in the order of their ids; ids, names and codes (read from either end) are unique.
@@ -34,7 +36,8 @@ Catalog catalog_from_json(const std::string& text, const std::string& origin);
 std::string to_json(const Catalog& catalog);
 
 /// The catalogue as the program keeps it: an SQLite database. Every change is one transaction: all of it or nothing.
-/// Opening an existing file that is no catalogue, is damaged or comes from a newer version throws Error.
+/// Opening an existing file that is no catalogue, is damaged or comes from a newer version throws Error. One of an
+/// older version is read as it is, and brought up to date by the first change.
 class CatalogStore {
  public:
   /// Opens, and creates where it is missing and `create` says so.

@@ -120,6 +120,41 @@ Cells code_from(const json* cells, const json* value, int count) {
   return encode(value->get<std::uint64_t>(), count);
 }
 
+template <std::size_t N>
+std::string one_of(const std::array<std::string_view, N>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < N; ++i)
+    text += (i == 0 ? "\"" : i + 1 < N ? ", \"" : " or \"") + std::string(words[i]) + "\"";
+  return text;
+}
+
+template <class Value, std::size_t N>
+Value word_from(const std::string& key, const json& value, std::optional<Value> (*find)(std::string_view),
+                const std::array<std::string_view, N>& words) {
+  const std::string word = Object::text(key, value);
+  const std::optional<Value> found = find(word);
+  if (!found) throw Error("\"" + key + "\" is \"" + word + "\"; it must be " + one_of(words));
+  return *found;
+}
+
+/// A file name, or an object that says more.
+void read_model(const json& value, MarkerSpec& marker) {
+  if (!value.is_object()) {
+    if (!value.is_string())
+      throw Error("\"model\" must be a text, or an object with \"file\", not " + std::string(value.type_name()));
+    marker.model = value.get<std::string>();
+    return;
+  }
+  Object object(value, "\"model\"");
+  marker.model = object.text("file");
+  if (const json* unit = object.optional("unit"))
+    marker.import.unit = word_from<LengthUnit>("unit", *unit, length_unit_of, length_unit_words);
+  if (const json* up = object.optional("up"))
+    marker.import.up = word_from<UpAxis>("up", *up, up_axis_of, up_axis_words);
+  if (const json* fit = object.optional("fit")) marker.import.fit = Object::number("fit", *fit);
+  object.refuse_unknown();
+}
+
 MarkerSpec marker_from(const json& value) {
   Object object(value, "an entry of \"markers\"");
   const int id = object.integer("id");
@@ -128,8 +163,8 @@ MarkerSpec marker_from(const json& value) {
   Cells cells = code_from(object.optional("cells"), object.optional("value"), shape.cells());
   const json* model = object.optional("model");
   object.refuse_unknown();
-  MarkerSpec marker{id, std::move(name), std::move(cells), std::move(shape),
-                    model != nullptr ? Object::text("model", *model) : ""};
+  MarkerSpec marker{id, std::move(name), std::move(cells), std::move(shape), ""};
+  if (model != nullptr) read_model(*model, marker);
   check_marker(marker);
   return marker;
 }
@@ -173,6 +208,15 @@ ordered_json to_json_value(const Shape& shape) {
   return value;
 }
 
+ordered_json model_value(const MarkerSpec& marker) {
+  if (marker.import == ModelImport{}) return marker.model;
+  ordered_json value{{"file", marker.model}};
+  if (marker.import.unit) value["unit"] = word_of(*marker.import.unit);
+  if (marker.import.up) value["up"] = word_of(*marker.import.up);
+  if (marker.import.fit) value["fit"] = *marker.import.fit;
+  return value;
+}
+
 }  // namespace
 
 Catalog catalog_from_json(const std::string& text, const std::string& origin) {
@@ -191,7 +235,7 @@ std::string to_json(const Catalog& catalog) {
                        {"name", marker.name},
                        {"cells", to_letters(marker.cells)},
                        {"shape", to_json_value(marker.shape)}};
-    if (!marker.model.empty()) value["model"] = marker.model;
+    if (!marker.model.empty()) value["model"] = model_value(marker);
     text += separator + value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
     separator = ",\n";
   }

@@ -13,7 +13,8 @@ using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-constexpr long long format = 1;
+// 2 says more of the models than their files: columns unit, up and fit.
+constexpr long long format = 2;
 constexpr long long application_id = 0x31737472;  // "1str", written into the file's header
 
 constexpr const char* schema = R"(
@@ -25,7 +26,10 @@ CREATE TABLE marker (
   pitch REAL NOT NULL,
   radius REAL NOT NULL,
   bend_radius REAL NOT NULL,
-  model TEXT NOT NULL
+  model TEXT NOT NULL,
+  unit TEXT NOT NULL DEFAULT '' CHECK (unit IN ('', 'm', 'cm', 'mm', 'in', 'ft')),
+  up TEXT NOT NULL DEFAULT '' CHECK (up IN ('', 'x', 'y', 'z')),
+  fit REAL NOT NULL DEFAULT 0
 ) STRICT;
 CREATE TABLE vertex (
   marker INTEGER NOT NULL REFERENCES marker (id) ON DELETE CASCADE,
@@ -34,6 +38,24 @@ CREATE TABLE vertex (
   PRIMARY KEY (marker, position)
 ) STRICT, WITHOUT ROWID;
 )";
+
+constexpr const char* from_1_to_2 = R"(
+ALTER TABLE marker ADD COLUMN unit TEXT NOT NULL DEFAULT '' CHECK (unit IN ('', 'm', 'cm', 'mm', 'in', 'ft'));
+ALTER TABLE marker ADD COLUMN up TEXT NOT NULL DEFAULT '' CHECK (up IN ('', 'x', 'y', 'z'));
+ALTER TABLE marker ADD COLUMN fit REAL NOT NULL DEFAULT 0;
+)";
+
+long long format_of(const Connection& database) {
+  Statement statement(database, "PRAGMA user_version");
+  return statement.step() ? statement.integer() : 0;
+}
+
+/// Inside a transaction.
+void bring_up_to_date(Connection& database) {
+  if (format_of(database) == format) return;
+  database.run(from_1_to_2);
+  database.run("PRAGMA user_version = " + std::to_string(format));
+}
 
 void create_tables(Connection& database) {
   Transaction transaction(database, Transaction::Kind::write);
@@ -47,9 +69,9 @@ void check_format(Connection& database) {
   const std::string name = database.file() + " ";
   if (database.number("PRAGMA application_id") != application_id)
     throw Error(name + "is no catalogue; name a database made by `onestroke marker import`");
-  const long long found = database.number("PRAGMA user_version");
-  if (found != format)
-    throw Error(name + "is a catalogue of format " + std::to_string(found) + " and this program knows format " +
+  const long long found = format_of(database);
+  if (found < 1 || found > format)
+    throw Error(name + "is a catalogue of format " + std::to_string(found) + " and this program knows formats up to " +
                 std::to_string(format) + "; update the program");
   if (database.text("PRAGMA quick_check(1)") != "ok")
     throw Error(name + "is damaged; restore a copy, or import the markers into a new file");
@@ -66,6 +88,16 @@ std::vector<Vec3> read_vertices(const Connection& database, int id) {
   return vertices;
 }
 
+ModelImport read_import(Statement& row) {
+  const std::string unit = row.text(), up = row.text();
+  const double fit = row.real();
+  ModelImport import;
+  import.unit = length_unit_of(unit);
+  import.up = up_axis_of(up);
+  if (fit != 0) import.fit = fit;
+  return import;
+}
+
 MarkerSpec read_marker(const Connection& database, Statement& row, int id, const std::string& name) {
   Cells cells = cells_from_letters(row.text());
   const std::string kind = row.text();
@@ -75,6 +107,7 @@ MarkerSpec read_marker(const Connection& database, Statement& row, int id, const
                 : kind == "stroke" ? Shape::stroke(count, pitch, radius, bend, read_vertices(database, id))
                                    : Shape::line(count, pitch, radius);
   MarkerSpec marker{id, name, std::move(cells), std::move(shape), row.text()};
+  marker.import = read_import(row);
   check_marker(marker);
   return marker;
 }
@@ -82,7 +115,9 @@ MarkerSpec read_marker(const Connection& database, Statement& row, int id, const
 Catalog read_all(const Connection& database) {
   Catalog catalog;
   Uniqueness unique;
-  Statement rows(database, "SELECT id, name, cells, kind, pitch, radius, bend_radius, model FROM marker ORDER BY id");
+  const std::string import = format_of(database) == 1 ? "'', '', 0" : "unit, up, fit";
+  Statement rows(database, "SELECT id, name, cells, kind, pitch, radius, bend_radius, model, " + import +
+                               " FROM marker ORDER BY id");
   while (rows.step()) {
     const int id = static_cast<int>(rows.integer());
     const std::string name = rows.text();
@@ -99,7 +134,7 @@ Catalog read_all(const Connection& database) {
 void insert(Connection& database, const MarkerSpec& marker) {
   constexpr const char* kinds[] = {"angle", "stroke", "line"};
   const Shape& shape = marker.shape;
-  Statement(database, "INSERT INTO marker VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
+  Statement(database, "INSERT INTO marker VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(static_cast<long long>(marker.id))
       .bind(marker.name)
       .bind(to_letters(marker.cells))
@@ -108,6 +143,9 @@ void insert(Connection& database, const MarkerSpec& marker) {
       .bind(shape.radius())
       .bind(shape.bend_radius())
       .bind(marker.model)
+      .bind(marker.import.unit ? word_of(*marker.import.unit) : "")
+      .bind(marker.import.up ? word_of(*marker.import.up) : "")
+      .bind(marker.import.fit.value_or(0))
       .run();
   if (shape.kind() != Shape::Kind::stroke) return;
   Statement row(database, "INSERT INTO vertex VALUES (?, ?, ?, ?, ?)");
@@ -181,6 +219,7 @@ Catalog CatalogStore::load() const {
 void CatalogStore::import(const Catalog& more, bool replace) {
   Connection& database = database_->connection;
   Transaction transaction(database, Transaction::Kind::write);
+  bring_up_to_date(database);
   Catalog kept = read_all(database);
   if (replace) {
     std::erase_if(kept.markers, [&](const MarkerSpec& old) { return more.find(old.id) != nullptr; });

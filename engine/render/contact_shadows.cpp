@@ -15,12 +15,12 @@ constexpr float too_far = 4;
 
 }  // namespace
 
-void ContactShadows::add(const ModelInstance& instance, std::span<const Ball> balls) {
+void ContactShadows::add(const ModelInstance& instance, std::span<const ContactBall> balls) {
   if (balls.empty() || count_ + balls.size() > balls_.size()) return;
   const glm::mat4 matrix = glm::make_mat4(instance.world_graphics_from_model.data());
   const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(matrix))));
   Caster caster{.instance = &instance, .balls = {static_cast<std::uint32_t>(count_), 0}};
-  for (const Ball& ball : balls) {
+  for (const ContactBall& ball : balls) {
     const glm::vec3 centre(matrix * glm::vec4(glm::make_vec3(ball.centre.data()), 1.0F));
     caster.centre += centre / static_cast<float>(balls.size());
     balls_[count_++] = gpu::vec4(centre, scale * ball.radius);

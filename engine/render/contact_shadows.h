@@ -20,7 +20,7 @@ class ContactShadows {
  public:
   void clear() { count_ = casters_ = 0; }
   /// A model and the balls that stand for it. Models for whose balls there is no room any more cast no shadow.
-  void add(const ModelInstance& instance, std::span<const Ball> balls);
+  void add(const ModelInstance& instance, std::span<const ContactBall> balls);
   /// The balls of the nearest model but the instance itself; none where it is too far away to be seen in the light.
   BallRange nearest_other(const ModelInstance& instance) const;
   /// World, graphics axes, metres: centre, radius.

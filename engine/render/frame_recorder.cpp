@@ -2,6 +2,7 @@
 
 #include "render/font.h"
 #include "render/multiview_probe.h"
+#include "render/upload.h"
 #include "scene/frames.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
   const std::uint32_t view_mask = data_.passes.front().view_mask;
   const bool by_layer = view_mask == 0 && target.layers > 1;
   targets_.fit(target, by_layer ? FrameTargets::Way::by_layer : FrameTargets::Way::at_once, slot.graveyard);
-  models_.prepare(scene.instances);
+  models_.prepare(scene.instances, views);
   overlay_.build(scene, views);
   seen.picture.record(slot);
   seen.lighting.record(slot, scene);

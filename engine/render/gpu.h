@@ -43,8 +43,8 @@ struct GpuOptions {
   LossRehearsal* rehearsal = nullptr;
 };
 
-/// The GPU: instance, device, queue and memory. One thread uses it, and all that is made from it, at a time. Displays
-/// and renderers share it, so it ends with the last of them.
+/// The GPU: instance, device, queue and memory. One thread uses it, and all that is made from it, at a time, but for
+/// Renderer::prepare(). Displays and renderers share it, so it ends with the last of them.
 class Gpu {
  public:
   /// Throws Error where there is no Vulkan 1.3 device, an extension or the validation layer is missing, or the named

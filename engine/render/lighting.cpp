@@ -14,8 +14,9 @@ constexpr std::size_t texel_bytes = 8;
 
 }  // namespace
 
-Lighting::Lighting(Device& device)
-    : chosen_(&given_),
+Lighting::Lighting(Device& device, std::shared_ptr<RoomLight> room)
+    : seen_(std::move(room)),
+      chosen_(&given_),
       cube_(device, {.format = vk::Format::eR16G16B16A16Sfloat,
                      .width = RoomLight::side,
                      .height = RoomLight::side,
@@ -29,17 +30,17 @@ Lighting::Lighting(Device& device)
 }
 
 void Lighting::see(const Picture& picture) {
-  seen_.see(picture);
+  seen_->see(picture);
   any_seen_ = true;
 }
 
 void Lighting::forget() {
-  seen_.clear();
+  seen_->clear();
   any_seen_ = false;
 }
 
 void Lighting::record(FrameSlot& slot, const FrameScene& scene) {
-  chosen_ = any_seen_ && !scene.light ? &seen_ : &given_;
+  chosen_ = any_seen_ && !scene.light ? seen_.get() : &given_;
   const Light given = scene.light.value_or(Light{});
   if (chosen_ == &given_ && given_light_ != given) {
     given_.set(given);

@@ -4,6 +4,7 @@
 #include "render/frame_scene.h"
 #include "render/room_light.h"
 
+#include <memory>
 #include <optional>
 
 namespace onestroke {
@@ -11,7 +12,10 @@ namespace onestroke {
 /// The light of a frame: the room's as the camera's pictures show it, or one that the scene gives. Keeps it on the GPU.
 class Lighting {
  public:
-  explicit Lighting(Device& device);
+  /// What is known of the room outlives a GPU.
+  Lighting(Device& device, std::shared_ptr<RoomLight> room);
+
+  const std::shared_ptr<RoomLight>& room() const { return seen_; }
 
   void see(const Picture& picture);
   /// There is no picture any more.
@@ -29,7 +33,8 @@ class Lighting {
 
   void upload(FrameSlot& slot);
 
-  RoomLight seen_, given_;
+  std::shared_ptr<RoomLight> seen_;
+  RoomLight given_;
   std::optional<Light> given_light_;
   bool any_seen_ = false;
   const RoomLight* chosen_;

@@ -101,6 +101,7 @@ Allocation MemoryPool::allocate(const vk::MemoryRequirements& needs, Use use) {
   const std::uint64_t size = round_up(needs.size, granularity_);
   const bool mapped = use != Use::device;
 
+  const std::lock_guard lock(mutex_);
   Block* home = nullptr;
   std::optional<std::uint64_t> offset;
   for (const auto& block : blocks_) {
@@ -126,6 +127,7 @@ Allocation MemoryPool::allocate(const vk::MemoryRequirements& needs, Use use) {
 }
 
 void MemoryPool::release(Block& block, std::uint64_t offset, std::uint64_t size) noexcept {
+  const std::lock_guard lock(mutex_);
   block.space.give_back(offset, size);
   if (block.size <= block_size || block.space.free_bytes() != block.size) return;
   // A block made for one large resource has no other use.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,7 +63,8 @@ class Allocation {
   std::byte* mapped_ = nullptr;
 };
 
-/// Cuts resources out of large blocks, since drivers allow few allocations. Outlives its allocations.
+/// Cuts resources out of large blocks, since drivers allow few allocations. Outlives its allocations. Any thread; a
+/// frame that neither makes nor frees anything takes no lock.
 class MemoryPool {
  public:
   enum class Use {
@@ -88,6 +90,7 @@ class MemoryPool {
   const vk::raii::Device& device_;
   vk::PhysicalDeviceMemoryProperties properties_;
   std::uint64_t granularity_;
+  std::mutex mutex_;  // for the blocks
   std::vector<std::unique_ptr<Block>> blocks_;
 };
 

@@ -1,10 +1,14 @@
 #include "render/model_pass.h"
 
+#include "render/level_choice.h"
+#include "scene/frames.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace onestroke {
 
@@ -14,10 +18,30 @@ glm::mat4 matrix_of(const ModelInstance& instance) {
   return glm::make_mat4(instance.world_graphics_from_model.data());
 }
 
-glm::vec3 centre_of(const GpuModel& model) {
+glm::vec3 centre_of(const GpuModel::Parts& parts) {
   glm::vec3 sum(0.0F);
-  for (const auto& part : model.parts) sum += part.centre;
-  return sum / static_cast<float>(std::max<std::size_t>(model.parts.size(), 1));
+  for (const auto& part : parts) sum += part.centre;
+  return sum / static_cast<float>(std::max<std::size_t>(parts.size(), 1));
+}
+
+// By how much the matrix lengthens anything at most: exact where its axes stay at right angles, otherwise more.
+float stretch_of(const glm::mat3& m) {
+  const glm::mat3 square = glm::transpose(m) * m;
+  float most = 0;
+  for (glm::length_t i = 0; i < 3; ++i)
+    most = std::max(most, std::abs(square[i].x) + std::abs(square[i].y) + std::abs(square[i].z));
+  return std::sqrt(most);
+}
+
+const GpuModel::Parts& level_for(const GpuModel& model, const ModelInstance& instance, std::span<const View> views) {
+  if (model.levels.size() == 1) return model.levels.front();
+  const glm::mat4 m = matrix_of(instance);
+  const double stretch = double{stretch_of(glm::mat3(m))} / metres_per_millimetre;
+  const Ball ball{.centre_world = point_from_graphics(glm::vec3(m * glm::vec4(model.centre, 1.0F))),
+                  .radius = double{model.radius} * stretch};
+  double pixels = 0;
+  for (const View& view : views) pixels = std::max(pixels, pixels_per_millimetre(view, ball));
+  return model.levels[choose_level(model.errors, pixels * stretch)];
 }
 
 gpu::DrawData data_of(const ModelInstance& instance, const BallRange& shadow) {
@@ -70,7 +94,7 @@ struct ModelPass::Recorder {
   }
 };
 
-void ModelPass::prepare(std::span<const ModelInstance> instances) {
+void ModelPass::prepare(std::span<const ModelInstance> instances, std::span<const View> views) {
   occluders_.clear();
   opaque_.clear();
   blended_.clear();
@@ -82,13 +106,14 @@ void ModelPass::prepare(std::span<const ModelInstance> instances) {
     const GpuModel* model = store_.find(instance.model);
     if (!model || instance.tint.a <= 0) continue;
     const BallRange shadow = shadows_.nearest_other(instance);
+    const GpuModel::Parts& level = level_for(*model, instance, views);
     if (!instance.occluder && instance.tint.a < 1) {
-      blended_.push_back({.model = model, .instance = &instance, .shadow = shadow});
+      blended_.push_back({.model = model, .level = &level, .instance = &instance, .shadow = shadow});
       continue;
     }
-    for (const auto& part : model->parts) {
+    for (const auto& part : level) {
       auto& list = instance.occluder ? occluders_ : part.blends ? blended_ : opaque_;
-      list.push_back({.model = model, .part = &part, .instance = &instance, .shadow = shadow});
+      list.push_back({.model = model, .level = &level, .part = &part, .instance = &instance, .shadow = shadow});
     }
   }
 }
@@ -103,7 +128,7 @@ void ModelPass::record(const vk::raii::CommandBuffer& commands, const Layouts& l
 
 void ModelPass::record_blended(Recorder& recorder, const Pipelines& pipelines, const glm::vec3& eye) {
   for (auto& d : blended_) {
-    const glm::vec3 centre = d.part ? d.part->centre : centre_of(*d.model);
+    const glm::vec3 centre = d.part ? d.part->centre : centre_of(*d.level);
     d.distance = glm::length(glm::vec3(matrix_of(*d.instance) * glm::vec4(centre, 1.0F)) - eye);
   }
   std::sort(blended_.begin(), blended_.end(), [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
@@ -113,9 +138,9 @@ void ModelPass::record_blended(Recorder& recorder, const Pipelines& pipelines, c
       continue;
     }
     // A faded model first fills the depth buffer, so that only its nearest surface is seen and not its inside.
-    for (const auto& part : d.model->parts)
+    for (const auto& part : *d.level)
       if (!part.blends) recorder.draw(pipelines.model_depth, d, part);
-    for (const auto& part : d.model->parts) recorder.draw(pipelines.model_blend, d, part);
+    for (const auto& part : *d.level) recorder.draw(pipelines.model_blend, d, part);
   }
 }
 

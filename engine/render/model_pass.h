@@ -2,6 +2,7 @@
 
 #include "render/contact_shadows.h"
 #include "render/model_store.h"
+#include "render/view.h"
 #include "shaders/shared.h"
 
 namespace onestroke {
@@ -11,8 +12,9 @@ class ModelPass {
  public:
   explicit ModelPass(const ModelStore& store) : store_(store) {}
 
-  /// Sorts the instances by how they are drawn. They must live until the frame is recorded.
-  void prepare(std::span<const ModelInstance> instances);
+  /// Sorts the instances by how they are drawn, each in as much detail as the view that shows it largest tells apart.
+  /// They must live until the frame is recorded.
+  void prepare(std::span<const ModelInstance> instances, std::span<const View> views);
   /// Those of the models that stand near another, to be given to the shaders.
   std::span<const gpu::vec4> balls() const { return shadows_.balls(); }
   /// Records one view, seen from `eye` (world, graphics axes).
@@ -22,7 +24,8 @@ class ModelPass {
  private:
   struct Draw {
     const GpuModel* model = nullptr;
-    const GpuModel::Part* part = nullptr;  // null: every part of the model
+    const GpuModel::Parts* level = nullptr;
+    const GpuModel::Part* part = nullptr;  // of the level; null: every one of it
     const ModelInstance* instance = nullptr;
     BallRange shadow{};
     float distance = 0;

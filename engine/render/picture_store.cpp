@@ -1,6 +1,7 @@
 #include "render/picture_store.h"
 
 #include "core/error.h"
+#include "render/upload.h"
 #include "shaders/shared.h"
 #include "shaders/spirv.h"
 

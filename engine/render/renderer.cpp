@@ -10,15 +10,16 @@ struct Renderer::Impl {
   Impl(std::shared_ptr<Device> gpu, const RendererOptions& options)
       : device(std::move(gpu)),
         layouts(*device),
-        models(*device, layouts),
+        maker(*device, layouts),
         picture(*device),
-        lighting(*device),
+        lighting(*device, options.room ? options.room : std::make_shared<RoomLight>()),
         fingers(*device),
         recorder(*device, layouts, models, options.multiview),
         ring(*device, *layouts.frame) {}
 
   std::shared_ptr<Device> device;
   Layouts layouts;
+  ModelMaker maker;
   ModelStore models;
   PictureStore picture;
   Lighting lighting;
@@ -34,12 +35,16 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-ModelHandle Renderer::load(const Model& model) {
+std::shared_ptr<PreparedModel> Renderer::prepare(const Model& model) const {
   try {
-    return impl_->models.load(model);
+    return impl_->maker.make(model);
   } catch (const vk::SystemError& error) {
     throw Error("model " + model.name + " does not fit the GPU: use a smaller one (" + error.what() + ")");
   }
+}
+
+ModelHandle Renderer::adopt(std::shared_ptr<PreparedModel> prepared) {
+  return impl_->models.adopt(std::move(prepared));
 }
 
 void Renderer::unload(ModelHandle model) {
@@ -65,6 +70,7 @@ void Renderer::clear_picture() {
 bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
   try {
     FrameSlot& slot = impl_->ring.begin();
+    impl_->models.record_uploads(slot);
     impl_->recorder.record(slot, scene, frame.seen(), *frame.target, {impl_->picture, impl_->lighting, impl_->fingers});
     impl_->ring.submit(*frame.target);
     return true;
@@ -75,6 +81,10 @@ bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
     impl_->failure = std::string("the GPU cannot draw: ") + error.what();
   }
   return false;
+}
+
+const std::shared_ptr<RoomLight>& Renderer::room() const {
+  return impl_->lighting.room();
 }
 
 const std::string& Renderer::failure() const {

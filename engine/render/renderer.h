@@ -11,13 +11,17 @@
 namespace onestroke {
 
 struct Model;
+struct PreparedModel;
+class RoomLight;
 
 struct RendererOptions {
   /// Two eyes in one pass. Off, each has a pass of its own; the pictures are the same.
   bool multiview = true;
+  /// What another renderer learnt of the room's light, see Renderer::room(); null to begin anew.
+  std::shared_ptr<RoomLight> room{};
 };
 
-/// Draws frames. One thread, the GPU's.
+/// Draws frames. One thread, the GPU's, but for prepare().
 class Renderer {
  public:
   explicit Renderer(Gpu& gpu, const RendererOptions& options = {});
@@ -25,8 +29,14 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Takes a model to the GPU; blocks for that. Throws Error where it has no room or the model is not sound.
-  ModelHandle load(const Model& model);
+  /// Makes a model's memory on the GPU and fills it, on any thread, while another one draws: for models that take long.
+  /// Throws Error where there is no room or the model is not sound. What is returned must go before the renderer does.
+  std::shared_ptr<PreparedModel> prepare(const Model& model) const;
+  /// Takes in what was prepared, once; it can be drawn from the next frame on, with which it goes to the GPU. Never
+  /// waits.
+  ModelHandle adopt(std::shared_ptr<PreparedModel> prepared);
+  /// Both at once; blocks while memory is filled.
+  ModelHandle load(const Model& model) { return adopt(prepare(model)); }
   /// Frees the model once the frames in flight are done. The handle may be given to another model later.
   void unload(ModelHandle model);
 
@@ -42,6 +52,8 @@ class Renderer {
   /// GPU is lost or out of memory, and then failure() says so; allocates nothing once warm.
   [[nodiscard]] bool draw(const FrameScene& scene, const FrameInfo& frame) noexcept;
   const std::string& failure() const;
+  /// What the pictures have told of the room's light; stays good where the GPU is lost.
+  const std::shared_ptr<RoomLight>& room() const;
   /// True where draw() failed because the GPU was lost: a new Gpu may do, with a new Renderer and all that was loaded.
   bool lost() const;
 

@@ -91,11 +91,4 @@ void image_barrier(const vk::raii::CommandBuffer& commands, vk::Image image, Lay
                    Access after, vk::ImageAspectFlags aspect = vk::ImageAspectFlagBits::eColor,
                    std::uint32_t first_mip = 0, std::uint32_t mips = VK_REMAINING_MIP_LEVELS);
 
-/// A buffer of the device alone, filled now. Blocks.
-Buffer upload_buffer(Device& device, std::span<const std::byte> bytes, vk::BufferUsageFlags usage);
-
-/// A texture ready for sampling, filled now; with mipmaps where info.mip_levels > 1. Bytes are rows without padding.
-/// Blocks.
-Image upload_image(Device& device, ImageInfo info, std::span<const std::byte> bytes);
-
 }  // namespace onestroke

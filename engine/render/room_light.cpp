@@ -79,12 +79,12 @@ void RoomLight::clear() {
 }
 
 void RoomLight::see(const Picture& picture) {
-  gather(picture);
   const glm::vec3 forward = direction_to_graphics(rotate(picture.T_world_camera.rotation, {0, 0, 1}));
   const double passed = (picture.exposure.start - estimated_).seconds();
   const bool first = !any_;
   any_ = true;
   if (!first && passed >= 0 && passed < again_s) return;
+  gather(picture);
   const float share = first ? 1.0F : static_cast<float>(1 - std::exp(-std::abs(passed) / settles_s));
   estimated_ = picture.exposure.start;
   for (std::size_t i = 0; i < texels; ++i) {

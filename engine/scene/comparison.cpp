@@ -1,6 +1,5 @@
 #include "scene/comparison.h"
 
-#include "scene/anchor.h"
 #include "scene/comparison_words.h"
 
 #include <algorithm>
@@ -18,8 +17,6 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr double no_turn = 0.5 / degrees;
 
 }  // namespace
-
-Comparison::Comparison(std::vector<CarriedModel> carried) : carried_(std::move(carried)) {}
 
 const ComparisonView& Comparison::update(const FrameRecord& record, Time now) {
   const Duration step = started_ ? now - last_ : Duration{};
@@ -91,12 +88,16 @@ void Comparison::fill_hand(Hand h, Time now) {
   v.opacity = held.held ? smooth_step(motion(h).presence) : 0;
   v.leads = linked_ && h == leader_;
   v.T_world_model.rotation = motion(h).rotation.update(followed(h), now);
-  v.T_world_model.translation = held.T_world_marker * anchor_pivot - rotate(v.T_world_model.rotation, anchor_pivot);
+  const CarriedModel* carried = carried_by(held.id);
+  const Vec3 pivot = carried ? carried->pivot : Vec3{};
+  v.T_world_model.translation = held.T_world_marker * pivot - rotate(v.T_world_model.rotation, pivot);
   v.label.clear();
-  if (!held.held) return;
-  const auto carried =
-      std::find_if(carried_.begin(), carried_.end(), [&](const CarriedModel& c) { return c.marker_id == held.id; });
-  print_label(held, carried == carried_.end() ? std::string_view() : carried->model_name, now, v.label);
+  if (held.held) print_label(held, carried ? carried->words.view() : std::string_view(), now, v.label);
+}
+
+const CarriedModel* Comparison::carried_by(int marker_id) const {
+  const auto found = std::ranges::find(carried_, marker_id, &CarriedModel::marker_id);
+  return found == carried_.end() ? nullptr : &*found;
 }
 
 void Comparison::fill_relative() {

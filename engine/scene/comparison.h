@@ -8,15 +8,14 @@
 
 #include <array>
 #include <span>
-#include <string>
-#include <vector>
 
 namespace onestroke {
 
-/// What a marker carries, for the labels.
+/// What a marker carries. Where it carries nothing, or nothing yet, the pivot is the stick's corner.
 struct CarriedModel {
   int marker_id = 0;
-  std::string model_name;
+  Text words{};  ///< What the label says besides the marker's name: the model's, or how far it is with loading.
+  Vec3 pivot{};  ///< What the model turns about when it is turned on its own: its middle. Marker frame, mm.
 };
 
 /// One hand's model, ready to be drawn.
@@ -67,7 +66,10 @@ class Comparison {
   /// A leader out of sight for so long hands the lead to the visible stick.
   static constexpr Duration leader_missed = Duration::from_ms(300);
 
-  explicit Comparison(std::vector<CarriedModel> carried);
+  /// What is carried outlives this, stays where it is, and may change between updates.
+  explicit Comparison(std::span<const CarriedModel> carried) : carried_(carried) {}
+  /// As in the constructor, in place of what was carried.
+  void carry(std::span<const CarriedModel> carried) { carried_ = carried; }
 
   /// What the key does: links, or unlinks, with the next update.
   void toggle() { toggle_asked_ = !toggle_asked_; }
@@ -92,8 +94,9 @@ class Comparison {
   bool choose_leader(Time now);
   void fill_hand(Hand h, Time now);
   void fill_relative();
+  const CarriedModel* carried_by(int marker_id) const;
 
-  std::vector<CarriedModel> carried_;
+  std::span<const CarriedModel> carried_;
   Hands hands_;
   LinkGesture gesture_;
   std::array<Motion, 2> motions_;

@@ -59,7 +59,7 @@ std::vector<glm::vec3> spread_centres(const std::vector<SurfacePoint>& points) {
 
 }  // namespace
 
-std::vector<Ball> contact_balls(const Model& model) {
+std::vector<ContactBall> contact_balls(const Model& model) {
   const std::vector<SurfacePoint> points = surface_points(model);
   if (points.empty()) return {};
   std::vector<glm::vec3> centres = spread_centres(points);
@@ -77,7 +77,7 @@ std::vector<Ball> contact_balls(const Model& model) {
     for (std::size_t i = 0; i < centres.size() && round + 1 < rounds; ++i)
       if (areas[i] > 0) centres[i] = sums[i] / areas[i];
   }
-  std::vector<Ball> balls;
+  std::vector<ContactBall> balls;
   for (std::size_t i = 0; i < centres.size(); ++i)
     if (areas[i] > 0) balls.push_back({{centres[i].x, centres[i].y, centres[i].z}, std::sqrt(squares[i] / areas[i])});
   return balls;

@@ -12,15 +12,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 namespace onestroke {
 
 namespace {
-
-// Edges of surfaces without normals stay hard from here on; facets of round parts are finer.
-constexpr double crease = 35 * std::numbers::pi / 180;
 
 struct Placed {
   int mesh;
@@ -109,16 +105,6 @@ bool read_attribute(const GltfReader& reader, const int* accessor, std::array<fl
   return true;
 }
 
-bool unit_normals(std::vector<ModelVertex>& vertices) {
-  for (ModelVertex& v : vertices) {
-    const glm::dvec3 n = glm::make_vec3(v.normal.data());
-    const double length = glm::length(n);
-    if (!(length > 1e-6) || !std::isfinite(length)) return false;
-    for (std::size_t k = 0; k < 3; ++k) v.normal[k] = static_cast<float>(double{v.normal[k]} / length);
-  }
-  return true;
-}
-
 std::vector<std::uint32_t> read_triangles(const GltfReader& reader, const tinygltf::Primitive& p,
                                           std::size_t vertices) {
   std::vector<std::uint32_t> order;
@@ -156,8 +142,8 @@ Surface read_surface(const GltfReader& reader, const Model& model, const tinyglt
   s.indices = read_triangles(reader, p, s.vertices.size());
 
   const bool given = read_attribute(reader, find_attribute(p, "NORMAL"), &ModelVertex::normal, s.vertices);
-  const bool has_normals = given && unit_normals(s.vertices);
-  if (!has_normals) compute_normals(s, crease);
+  const bool has_normals = given && make_normals_unit(s.vertices);
+  if (!has_normals) compute_normals(s, usual_crease);
   const bool mapped = p.material >= 0 && model.materials[static_cast<std::size_t>(p.material)].normal_texture >= 0;
   const int* tangent = find_attribute(p, "TANGENT");
   if (has_normals && tangent && reader.components(*tangent) == 4) {
@@ -191,12 +177,6 @@ void place(const glm::dmat4& transform, Surface& s) {
   }
   if (turn < 0)
     for (std::size_t i = 0; i + 2 < s.indices.size(); i += 3) std::swap(s.indices[i + 1], s.indices[i + 2]);
-}
-
-void append(const Surface& s, Surface& all) {
-  const auto base = static_cast<std::uint32_t>(all.vertices.size());
-  all.vertices.insert(all.vertices.end(), s.vertices.begin(), s.vertices.end());
-  for (const std::uint32_t i : s.indices) all.indices.push_back(base + i);
 }
 
 bool has_triangles(const tinygltf::Primitive& p) {

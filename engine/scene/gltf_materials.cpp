@@ -1,18 +1,13 @@
 #include "scene/gltf_materials.h"
 
-#include <stb/stb_image.h>
+#include "scene/image_file.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <memory>
 
 namespace onestroke {
 
 namespace {
-
-// A texture larger than this is damage, or more than any device takes.
-constexpr int most_pixels_a_side = 16384;
 
 std::string name_of(const GltfReader& reader, int image) {
   const tinygltf::Image& i = reader.model().images[static_cast<std::size_t>(image)];
@@ -24,18 +19,9 @@ ModelImage decode(const GltfReader& reader, int index) {
   const std::span<const std::uint8_t> bytes =
       image.bufferView >= 0 ? reader.view(image.bufferView) : std::span<const std::uint8_t>(image.image);
   if (bytes.empty()) reader.fail(name_of(reader, index) + " is missing beside the model, or empty");
-  const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), std::numeric_limits<int>::max()));
-  int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
-    reader.fail(name_of(reader, index) + " is neither PNG nor JPEG");
-  if (width > most_pixels_a_side || height > most_pixels_a_side)
-    reader.fail(name_of(reader, index) + " is larger than " + std::to_string(most_pixels_a_side) + " pixels");
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-  if (!pixels) reader.fail(name_of(reader, index) + " is damaged");
-  ModelImage result{width, height, false, {}};
-  result.rgba.assign(
-      pixels.get(), pixels.get() + std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  ModelImage result;
+  const std::string fault = decode_image(bytes, result);
+  if (!fault.empty()) reader.fail(name_of(reader, index) + " " + fault);
   return result;
 }
 

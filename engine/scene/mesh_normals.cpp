@@ -1,11 +1,13 @@
 #include "scene/mesh_normals.h"
 
+#include "scene/mesh_weld.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -41,84 +43,119 @@ glm::dvec3 unit_across(const glm::dvec3& n) {
 // Twice the area of each triangle along its normal, the unit normals, and the triangles about each place.
 struct Faces {
   std::vector<glm::dvec3> areas, units;
-  std::vector<std::uint32_t> place_of_vertex;
+  Places places;
   struct Corner {
     std::uint32_t triangle;
     double angle;
   };
-  std::vector<std::vector<Corner>> around_place;
+  std::vector<Corner> corners;     // Those of a place follow one another,
+  std::vector<std::size_t> first;  // the first of them here; one more number at the end.
+
+  std::span<const Corner> around(std::uint32_t place) const {
+    return std::span(corners).subspan(first[place], first[place + 1] - first[place]);
+  }
 };
 
-void drop_empty_triangles(Surface& s, Faces& f) {
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangle_count(s); ++t) {
-    const Corners c = corners_of(s, t);
-    const glm::dvec3 a = position_of(s, c[0]);
-    const glm::dvec3 area = glm::cross(position_of(s, c[1]) - a, position_of(s, c[2]) - a);
-    const double length = glm::length(area);
-    if (!(length > 0)) continue;
-    f.areas.push_back(area);
-    f.units.push_back(area / length);
-    for (std::size_t k = 0; k < 3; ++k) s.indices[3 * kept + k] = s.indices[3 * t + k];
-    ++kept;
-  }
-  s.indices.resize(3 * kept);
+glm::dvec3 area_of(const Surface& s, Corners c) {
+  const glm::dvec3 a = position_of(s, c[0]);
+  return glm::cross(position_of(s, c[1]) - a, position_of(s, c[2]) - a);
 }
 
-// The triangle's angle at its corner in the given place; with it the way a flat face is cut up makes no difference.
-double corner_angle(const Surface& s, const Faces& f, std::size_t triangle, std::uint32_t place) {
-  const Corners c = corners_of(s, triangle);
-  std::size_t at = 0;
-  while (at < 2 && f.place_of_vertex[c[at]] != place) ++at;
+// The triangle's angle at a corner; with it the way a flat face is cut up makes no difference.
+double corner_angle(const Surface& s, Corners c, std::size_t at) {
   const glm::dvec3 p = position_of(s, c[at]);
   const glm::dvec3 u = position_of(s, c[(at + 1) % 3]) - p, v = position_of(s, c[(at + 2) % 3]) - p;
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-Faces find_faces(Surface& s) {
+Faces find_faces(const Surface& s) {
   Faces f;
-  drop_empty_triangles(s, f);
-  std::map<std::array<float, 3>, std::uint32_t> places;
-  for (const ModelVertex& v : s.vertices)
-    f.place_of_vertex.push_back(
-        places.try_emplace(v.position, static_cast<std::uint32_t>(places.size())).first->second);
-  f.around_place.resize(places.size());
-  for (std::size_t t = 0; t < triangle_count(s); ++t)
-    for (const std::uint32_t corner : corners_of(s, t)) {
-      const std::uint32_t place = f.place_of_vertex[corner];
-      f.around_place[place].push_back({static_cast<std::uint32_t>(t), corner_angle(s, f, t, place)});
-    }
+  for (std::size_t t = 0; t < triangle_count(s); ++t) {
+    f.areas.push_back(area_of(s, corners_of(s, t)));
+    f.units.push_back(f.areas.back() / glm::length(f.areas.back()));
+  }
+  f.places = find_places(s);
+  f.first.assign(f.places.count + 2, 0);
+  for (const std::uint32_t vertex : s.indices) ++f.first[f.places.of_vertex[vertex] + 2];
+  for (std::size_t i = 2; i < f.first.size(); ++i) f.first[i] += f.first[i - 1];
+  // first[place + 1] is where the next corner goes, and in the end where the place after it begins.
+  f.corners.resize(s.indices.size());
+  for (std::size_t i = 0; i < s.indices.size(); ++i) {
+    const std::size_t at = f.first[f.places.of_vertex[s.indices[i]] + 1]++;
+    f.corners[at] = {static_cast<std::uint32_t>(i / 3), corner_angle(s, corners_of(s, i / 3), i % 3)};
+  }
+  f.first.pop_back();
   return f;
 }
 
 std::array<float, 3> corner_normal(const Faces& f, std::size_t triangle, std::uint32_t vertex, double cos_crease) {
-  const std::uint32_t place = f.place_of_vertex[vertex];
   glm::dvec3 sum(0);
-  for (const Faces::Corner& other : f.around_place[place])
+  for (const Faces::Corner& other : f.around(f.places.of_vertex[vertex]))
     if (glm::dot(f.units[other.triangle], f.units[triangle]) >= cos_crease)
       sum += other.angle * f.areas[other.triangle];
   const double length = glm::length(sum);
   return to_array(length > 0 ? sum / length : f.units[triangle]);
 }
 
+// The vertices made out of each old one, so that a corner finds the one that is equal to its own.
+class Splits {
+ public:
+  explicit Splits(std::size_t old) : newest_(old, none) {}
+
+  // `equal` says whether a vertex made before will do; otherwise `vertex` is added.
+  template <class Equal>
+  std::uint32_t find_or_add(std::uint32_t old, const ModelVertex& vertex, Equal equal) {
+    for (std::uint32_t i = newest_[old]; i != none; i = before_[i])
+      if (equal(vertices_[i])) return i;
+    vertices_.push_back(vertex);
+    before_.push_back(newest_[old]);
+    return newest_[old] = static_cast<std::uint32_t>(vertices_.size() - 1);
+  }
+  std::vector<ModelVertex>&& take() { return std::move(vertices_); }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> newest_, before_;
+  std::vector<ModelVertex> vertices_;
+};
+
 }  // namespace
 
+void drop_empty_triangles(Surface& s) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangle_count(s); ++t) {
+    const double length = glm::length(area_of(s, corners_of(s, t)));
+    // Not what overflows either.
+    if (!(length > 0) || !std::isfinite(length)) continue;
+    for (std::size_t k = 0; k < 3; ++k) s.indices[3 * kept + k] = s.indices[3 * t + k];
+    ++kept;
+  }
+  s.indices.resize(3 * kept);
+}
+
+bool make_normals_unit(std::vector<ModelVertex>& vertices) {
+  for (ModelVertex& v : vertices) {
+    const glm::dvec3 n = glm::make_vec3(v.normal.data());
+    const double length = glm::length(n);
+    if (!(length > 1e-6) || !std::isfinite(length)) return false;
+    for (std::size_t k = 0; k < 3; ++k) v.normal[k] = static_cast<float>(double{v.normal[k]} / length);
+  }
+  return true;
+}
+
 void compute_normals(Surface& surface, double crease) {
+  drop_empty_triangles(surface);
   const Faces faces = find_faces(surface);
   const double cos_crease = std::cos(crease);
-  std::vector<ModelVertex> vertices;
-  std::map<std::pair<std::uint32_t, std::array<float, 3>>, std::uint32_t> known;
+  Splits splits(surface.vertices.size());
   for (std::size_t i = 0; i < surface.indices.size(); ++i) {
     const std::uint32_t old = surface.indices[i];
-    const auto normal = corner_normal(faces, i / 3, old, cos_crease);
-    const auto [entry, added] = known.try_emplace({old, normal}, static_cast<std::uint32_t>(vertices.size()));
-    if (added) {
-      vertices.push_back(surface.vertices[old]);
-      vertices.back().normal = normal;
-    }
-    surface.indices[i] = entry->second;
+    ModelVertex vertex = surface.vertices[old];
+    vertex.normal = corner_normal(faces, i / 3, old, cos_crease);
+    surface.indices[i] =
+        splits.find_or_add(old, vertex, [&](const ModelVertex& v) { return v.normal == vertex.normal; });
   }
-  surface.vertices = std::move(vertices);
+  surface.vertices = splits.take();
 }
 
 namespace {
@@ -141,31 +178,31 @@ TextureFrame texture_frame(const Surface& s, Corners c) {
 }  // namespace
 
 void compute_tangents(Surface& surface) {
-  std::vector<ModelVertex> vertices;
+  Splits splits(surface.vertices.size());
   std::vector<glm::dvec3> sums;
-  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;
   for (std::size_t t = 0; t < triangle_count(surface); ++t) {
     const TextureFrame frame = texture_frame(surface, corners_of(surface, t));
+    const float side = frame.mirrored ? -1.0F : 1.0F;
     for (std::size_t k = 3 * t; k < 3 * t + 3; ++k) {
       const std::uint32_t old = surface.indices[k];
-      const auto [entry, added] = known.try_emplace({old, frame.mirrored}, static_cast<std::uint32_t>(vertices.size()));
-      if (added) {
-        vertices.push_back(surface.vertices[old]);
-        vertices.back().tangent[3] = frame.mirrored ? -1.0F : 1.0F;
-        sums.emplace_back(0);
-      }
-      sums[entry->second] += frame.tangent;
-      surface.indices[k] = entry->second;
+      ModelVertex vertex = surface.vertices[old];
+      vertex.tangent[3] = side;
+      const std::uint32_t at =
+          splits.find_or_add(old, vertex, [&](const ModelVertex& v) { return v.tangent[3] == side; });
+      if (at == sums.size()) sums.emplace_back(0);
+      sums[at] += frame.tangent;
+      surface.indices[k] = at;
     }
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const glm::dvec3 n = glm::make_vec3(vertices[i].normal.data());
+  surface.vertices = splits.take();
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    ModelVertex& v = surface.vertices[i];
+    const glm::dvec3 n = glm::make_vec3(v.normal.data());
     const glm::dvec3 across = sums[i] - n * glm::dot(n, sums[i]);
     const double length = glm::length(across);
     const auto unit = to_array(length > 0 ? across / length : unit_across(n));
-    for (std::size_t k = 0; k < 3; ++k) vertices[i].tangent[k] = unit[k];
+    for (std::size_t k = 0; k < 3; ++k) v.tangent[k] = unit[k];
   }
-  surface.vertices = std::move(vertices);
 }
 
 void fill_tangents(Surface& surface) {
@@ -173,6 +210,12 @@ void fill_tangents(Surface& surface) {
     const auto unit = to_array(unit_across(glm::make_vec3(v.normal.data())));
     v.tangent = {unit[0], unit[1], unit[2], 1};
   }
+}
+
+void append(const Surface& more, Surface& all) {
+  const auto base = static_cast<std::uint32_t>(all.vertices.size());
+  all.vertices.insert(all.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const std::uint32_t i : more.indices) all.indices.push_back(base + i);
 }
 
 }  // namespace onestroke

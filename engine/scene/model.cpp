@@ -1,130 +1,90 @@
 #include "scene/model.h"
 
 #include "core/error.h"
-#include "scene/gltf_geometry.h"
-#include "scene/gltf_materials.h"
+#include "scene/file_bytes.h"
+#include "scene/gltf_file.h"
+#include "scene/mesh_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
-#include <set>
 #include <string_view>
 
 namespace onestroke {
 
 namespace {
 
-using Bytes = std::vector<unsigned char>;
+enum class Kind { gltf, stl, obj, ply, unknown };
 
-// tinygltf's length check of the last chunk leaves out its 8-byte header; this much beyond the end keeps it in bounds.
-constexpr std::size_t slack = 16;
-
-bool read_bytes(const std::filesystem::path& file, Bytes& bytes) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  std::ifstream in(file, std::ios::binary);
-  bytes.assign(std::istreambuf_iterator<char>(in), {});
-  return in.good() || in.eof();
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
-std::string first_line(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \n");
-  if (begin == std::string::npos) return "it is damaged";
-  return text.substr(begin, text.find('\n', begin) - begin);
+// By the first bytes where a format has some of its own, otherwise by the file's name.
+Kind kind_of(const std::filesystem::path& file, const Bytes& bytes) {
+  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
+  if (start == "glTF") return Kind::gltf;
+  if (start == "ply\n" || start == "ply\r") return Kind::ply;
+  const std::string extension = lower_extension(file);
+  if (extension == ".gltf" || extension == ".glb") return Kind::gltf;
+  if (extension == ".stl") return Kind::stl;
+  if (extension == ".obj") return Kind::obj;
+  if (extension == ".ply") return Kind::ply;
+  return Kind::unknown;
 }
 
-// tinygltf reads nested values by recursion; no real file nests this deep.
-constexpr int deepest = 200;
-
-bool nested_too_deep(std::string_view json) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (quoted && c == '\\') ++i;
-    if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > deepest) return true;
+void read(Kind kind, const std::filesystem::path& file, Bytes bytes, const LoadProgress& progress, Model& model) {
+  switch (kind) {
+    case Kind::gltf:
+      return read_gltf(file, std::move(bytes), model);
+    case Kind::stl:
+      return read_stl(file, std::move(bytes), progress, model);
+    case Kind::obj:
+      return read_obj(file, std::move(bytes), progress, model);
+    case Kind::ply:
+      return read_ply(file, std::move(bytes), progress, model);
+    case Kind::unknown:
+      break;
   }
-  return false;
+  throw Error(file.string() + ": not a kind of model that is known; give a .glb, .gltf, .stl, .obj or .ply file");
 }
 
-// The JSON of either form; of a .glb it is the first chunk, behind five words, the fourth of which is its length.
-std::string_view json_of(const Bytes& bytes, bool binary) {
-  const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (!binary) return all;
-  constexpr std::size_t words = 5 * sizeof(std::uint32_t);
-  if (all.size() < words) return {};
-  std::uint32_t length = 0;
-  std::memcpy(&length, bytes.data() + 3 * sizeof length, sizeof length);
-  return all.substr(words, length);
+double usual_metres(Kind kind) {
+  return metres_of(kind == Kind::gltf ? LengthUnit::metre : LengthUnit::millimetre);
 }
 
-// Only files beside the model: tinygltf alone would also look in the working directory and expand shell variables.
-tinygltf::FsCallbacks files_under(const std::string& folder) {
-  tinygltf::FsCallbacks calls{};
-  calls.FileExists = [](const std::string& path, void* user) {
-    std::error_code ignored;
-    return path.starts_with(*static_cast<const std::string*>(user)) && std::filesystem::is_regular_file(path, ignored);
-  };
-  calls.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  calls.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void*) {
-    const bool read = read_bytes(path, *out);
-    if (!read && error) *error += "cannot be read";
-    return read;
-  };
-  calls.user_data = const_cast<std::string*>(&folder);
-  return calls;
+UpAxis usual_up(Kind kind) {
+  return kind == Kind::stl || kind == Kind::ply ? UpAxis::z : UpAxis::y;
 }
 
-tinygltf::Model parse(const std::filesystem::path& file, Bytes bytes) {
-  const std::string name = file.string();
-  const std::string folder = std::filesystem::absolute(file).parent_path().string();
-  const auto text = std::find_if_not(bytes.begin(), bytes.end(), [](unsigned char c) { return std::isspace(c) != 0; });
-  const bool binary = bytes.size() >= 4 && std::equal(bytes.begin(), bytes.begin() + 4, "glTF");
-  if (!binary && (text == bytes.end() || *text != '{'))
-    throw Error(name + ": not a glTF file; give a .glb or .gltf model");
-  if (bytes.size() > std::numeric_limits<unsigned>::max())
-    throw Error(name + ": larger than 4 GB; use a smaller model");
-  if (nested_too_deep(json_of(bytes, binary))) throw Error(name + ": nested too deep; export the model again");
-  const auto size = static_cast<unsigned>(bytes.size());
-  bytes.resize(bytes.size() + slack, 0);
+// With z up the front looks along -y, as in CAD; with x up it stays where it is.
+void turn_upright(UpAxis up, float* v) {
+  const float x = v[0], y = v[1], z = v[2];
+  if (up == UpAxis::z) v[1] = z, v[2] = -y;
+  if (up == UpAxis::x) v[0] = -y, v[1] = x;
+}
 
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keep_encoded_image, nullptr);
-  loader.SetFsCallbacks(files_under(folder));
-  tinygltf::Model model;
-  std::string error, warning;
-  bool sound = false;
-  try {
-    sound = binary ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, folder)
-                   : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes.data()),
-                                                size, folder);
-  } catch (const std::exception& e) {
-    error += e.what();
+void put_right(double metres, UpAxis up, Model& model) {
+  for (ModelVertex& v : model.vertices) {
+    for (float& x : v.position) x = static_cast<float>(double{x} * metres);
+    turn_upright(up, v.position.data());
+    turn_upright(up, v.normal.data());
+    turn_upright(up, v.tangent.data());
   }
-  if (!sound) throw Error(name + ": not a whole glTF file (" + first_line(error) + "); export the model again");
-  return model;
 }
 
-void refuse_unknown_extensions(const tinygltf::Model& gltf, const std::string& name) {
-  static const std::set<std::string> known{"KHR_mesh_quantization", "KHR_materials_emissive_strength"};
-  for (const std::string& extension : gltf.extensionsRequired)
-    if (!known.contains(extension))
-      throw Error(name + ": needs the extension " + extension + "; export the model without it");
-}
-
-void find_bounds(const GltfReader& reader, Model& model) {
+void find_bounds(const std::string& name, Model& model) {
   model.lower.fill(std::numeric_limits<float>::max());
   model.upper.fill(std::numeric_limits<float>::lowest());
   for (const std::uint32_t i : model.indices) {
     for (std::size_t k = 0; k < 3; ++k) {
       const float x = model.vertices[i].position[k];
-      if (!std::isfinite(x)) reader.fail("it reaches to infinity");
+      // Squares of lengths are still to be taken of it.
+      if (!(std::abs(x) < 1e12F)) throw Error(name + ": it reaches to infinity; export the model again");
       model.lower[k] = std::min(model.lower[k], x);
       model.upper[k] = std::max(model.upper[k], x);
     }
@@ -133,22 +93,23 @@ void find_bounds(const GltfReader& reader, Model& model) {
 
 }  // namespace
 
-Model load_model(const std::filesystem::path& file) {
+Model load_model(const std::filesystem::path& file, const ModelImport& import, const LoadProgress& progress) {
   const std::string name = file.string();
   Bytes bytes;
   if (!read_bytes(file, bytes)) throw Error(name + ": no such model file; check the path");
-  const tinygltf::Model gltf = parse(file, std::move(bytes));
-  if (!gltf.asset.version.starts_with("2."))
-    throw Error(name + ": glTF version " + gltf.asset.version + "; export the model as glTF 2.0");
-  refuse_unknown_extensions(gltf, name);
-
+  if (progress) progress(0.1);
   Model model;
   model.name = file.stem().string();
-  const GltfReader reader(gltf, name);
-  read_materials(reader, model);
-  read_geometry(reader, model);
-  if (model.indices.empty()) reader.fail("it has no triangles");
-  find_bounds(reader, model);
+  const Kind kind = kind_of(file, bytes);
+  try {
+    read(kind, file, std::move(bytes), progress, model);
+  } catch (const std::bad_alloc&) {
+    throw Error(name + ": there is not enough memory for it; use a smaller model");
+  }
+  if (model.indices.empty()) throw Error(name + ": it has no triangles; export the model again");
+  put_right(import.unit ? metres_of(*import.unit) : usual_metres(kind), import.up.value_or(usual_up(kind)), model);
+  find_bounds(name, model);
+  if (progress) progress(1);
   return model;
 }
 

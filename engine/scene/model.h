@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/model_import.h"
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,18 +46,29 @@ struct ModelPart {
   int material = 0;
 };
 
+/// The same model in fewer triangles: its parts, in the model's order, as further ranges of Model::indices.
+struct ModelLevel {
+  float error = 0;  ///< How far surface, texture and colours are off at most, metres.
+  std::vector<ModelPart> parts;
+};
+
 /// A model as the renderer takes it: one vertex and one index buffer, node transforms already applied.
 struct Model {
   std::string name;
   std::vector<ModelVertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<ModelPart> parts;
+  std::vector<ModelLevel> levels{};  ///< Ever coarser, errors growing; see mesh_levels.h. Often none.
   std::vector<ModelMaterial> materials;
   std::vector<ModelImage> images;
   std::array<float, 3> lower{}, upper{};  ///< Bounding box, metres.
 };
 
-/// Loads .glb or .gltf. Throws Error that names the file and what is wrong with it.
-Model load_model(const std::filesystem::path& file);
+/// Told now and then how far a load is, 0 to 1. What it throws ends the load and reaches the caller.
+using LoadProgress = std::function<void(double)>;
+
+/// Loads .glb, .gltf, .stl, .obj or .ply, turned upright and in metres. Throws Error that names the file and what is
+/// wrong with it.
+Model load_model(const std::filesystem::path& file, const ModelImport& import = {}, const LoadProgress& progress = {});
 
 }  // namespace onestroke

@@ -11,6 +11,9 @@ class Text {
  public:
   static constexpr std::size_t capacity = 159;
 
+  Text() = default;
+  explicit Text(std::string_view text) { print("%.*s", static_cast<int>(text.size()), text.data()); }
+
   /// As printf; what does not fit is cut off at the last whole character.
   void print(const char* format, ...) __attribute__((format(printf, 2, 3)));
   void clear() { length_ = 0; }

@@ -1,5 +1,7 @@
 #include "render_floor.h"
 
+#include "render/upload.h"
+
 namespace onestroke::bench {
 
 namespace {

@@ -35,6 +35,8 @@ ROOMS = {
     "GLM": (re.compile(r"glm/"), {"engine/scene", "engine/render", "shaders", "app"}),
     "Vulkan": (re.compile(r"vulkan/"), {"engine/render", "platform/display"}),
     "Dear ImGui": (re.compile(r"imgui(_internal)?\.h"), {"engine/render", "app"}),
+    "Assimp": (re.compile(r"assimp/"), {"engine/scene"}),
+    "meshoptimizer": (re.compile(r"meshoptimizer"), {"engine/scene"}),
     "GLFW": (re.compile(r"GLFW/"), {"platform/display"}),
 }
 

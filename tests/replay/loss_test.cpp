@@ -40,6 +40,7 @@ class Loss : public testing::Test {
     Graphics graphics(
         display, {.catalog = catalog,
                   .folder = models,
+                  .models_first = true,
                   .gpu = {.validation = true, .validation_messages = &validation_messages, .rehearsal = &rehearsal}});
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);

@@ -22,6 +22,7 @@ class Replay : public golden::Stage {
  protected:
   Replay() {
     for (int i = 0; i < first; ++i) EXPECT_TRUE(take());
+    shelf.wait();
   }
 
   bool take() {
@@ -52,7 +53,7 @@ class Replay : public golden::Stage {
   PictureHandle picture;
   Tracker tracker{catalog};
   FrameRecord record;
-  const ModelShelf shelf{catalog, assets, *renderer};
+  ModelShelf shelf{catalog, assets, *renderer};
   TwoHands hands{shelf};
   View view;
 };

@@ -64,7 +64,8 @@ TEST_F(RunProgram, MarkersWithoutAModelAreShownAllTheSame) {
   ASSERT_EQ(run("marker import " + demo_catalog + " --catalog bare.db").code, 0);
   ASSERT_EQ(run("marker export --catalog bare.db --output bare.json").code, 0);
   std::string text = read("bare.json");
-  for (const std::string model : {R"(,"model":"bracket_v1.glb")", R"(,"model":"bracket_v2.glb")"}) {
+  for (const std::string model :
+       {R"(,"model":{"file":"bracket_v1.glb","fit":60.0})", R"(,"model":{"file":"bracket_v2.glb","fit":60.0})"}) {
     const std::size_t at = text.find(model);
     ASSERT_NE(at, std::string::npos) << text;
     text.erase(at, model.size());
@@ -87,6 +88,26 @@ TEST_F(RunProgram, KeepsItsPipelinesForTheNextRun) {
   write("file", "in the way");
   cache = folder / "file";
   EXPECT_EQ(run(small + "--display offscreen:a --frames 2").code, 0);
+}
+
+TEST_F(RunProgram, ShowsModelsOfEveryKind) {
+  std::string text = read(demo_catalog);
+  for (const auto& [from, to] :
+       {std::pair{R"({"file": "bracket_v1.glb", "fit": 60.0})", R"({"file": "part.stl", "unit": "cm", "up": "y"})"},
+        std::pair{R"({"file": "bracket_v2.glb", "fit": 60.0})", R"("part.obj")"}}) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.replace(at, std::string(from).size(), to);
+  }
+  write("parts.json", text);
+  write("part.stl",
+        "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 4 0\nendloop\nendfacet\n"
+        "endsolid part\n");
+  write("part.obj", "v 0 0 0\nv 40 0 0\nv 0 40 0\nf 1 2 3\n");
+  const Ended ended = run("run --camera synthetic:script=still --catalog parts.json --display offscreen:a --frames 4");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(count_of(folder / "a", ".png"), 4);
 }
 
 TEST_F(RunProgram, SaysWhatIsWrong) {

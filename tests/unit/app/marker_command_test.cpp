@@ -127,6 +127,13 @@ TEST(MarkerDescription, SaysEverything) {
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
 
+TEST(MarkerDescription, SaysWhatIsSaidOfTheModel) {
+  MarkerSpec part = marker(4, "m04", 5, Shape::angle(36, 4, 3, 8), "part.stl");
+  part.import = {.unit = LengthUnit::inch, .up = UpAxis::z, .fit = 60};
+  EXPECT_THAT(describe(part), HasSubstr("part.stl, in, z up, fit 60 mm\n"));
+  EXPECT_THAT(describe(Catalog{{part}}), HasSubstr("part.stl, in, z up, fit 60 mm\n"));
+}
+
 TEST(MarkerDescription, ASharpAngleLooksLikeTheLetterL) {
   const MarkerSpec sharp = marker(1, "a", 0, Shape::angle(8, 4, 1, 0));
   EXPECT_EQ(letter_picture(sharp),

@@ -56,6 +56,44 @@ TEST(CatalogJson, ReadsTheExchangeForm) {
   EXPECT_EQ(marker->shape.bend_radius(), 8);
 }
 
+const MarkerSpec& carrying(Catalog& catalog, const std::string& model) {
+  catalog = catalog_from_json(list(entry("1", R"("m01")", R"("cells": "RGBRGB")", angle, R"(, "model": )" + model)),
+                              "catalog.json");
+  return catalog.markers.front();
+}
+
+std::string second_carrying(const std::string& model) {
+  return second_is(entry("2", R"("m02")", R"("cells": "RBGRBG")", angle, R"(, "model": )" + model));
+}
+
+TEST(CatalogJson, AModelIsAFileOrAnObjectThatSaysMore) {
+  Catalog catalog;
+  EXPECT_EQ(carrying(catalog, R"("part.stl")").import, ModelImport{});
+  EXPECT_EQ(carrying(catalog, R"({"file": "part.stl"})").model, "part.stl");
+  EXPECT_EQ(carrying(catalog, R"({"file": "part.stl"})").import, ModelImport{});
+  EXPECT_EQ(carrying(catalog, R"({"file": "part.stl", "unit": "in", "up": "z", "fit": 60})").import,
+            (ModelImport{LengthUnit::inch, UpAxis::z, 60}));
+  for (const std::string_view word : length_unit_words)
+    EXPECT_EQ(word_of(*carrying(catalog, R"({"file": "a", "unit": ")" + std::string(word) + "\"}").import.unit), word);
+  for (const std::string_view word : up_axis_words)
+    EXPECT_EQ(word_of(*carrying(catalog, R"({"file": "a", "up": ")" + std::string(word) + "\"}").import.up), word);
+  EXPECT_THAT(to_json(catalog), HasSubstr(R"("model":{"file":"a","up":"z"})"));
+}
+
+TEST(CatalogJson, WrongWordsOfAModelAreAnsweredWithTheRightOnes) {
+  EXPECT_THAT(
+      second_carrying(R"({"file": "a", "unit": "metre"})"),
+      AllOf(HasSubstr("marker 2"), HasSubstr(R"("unit" is "metre"; it must be "m", "cm", "mm", "in" or "ft")")));
+  EXPECT_THAT(second_carrying(R"({"file": "a", "up": "up"})"),
+              HasSubstr(R"("up" is "up"; it must be "x", "y" or "z")"));
+  EXPECT_THAT(second_carrying(R"({"unit": "m"})"), HasSubstr("\"file\" is missing"));
+  EXPECT_THAT(second_carrying(R"({"file": "a", "size": 3})"), HasSubstr("\"size\" is unknown"));
+  EXPECT_THAT(second_carrying("7"), HasSubstr("must be a text, or an object with \"file\""));
+  EXPECT_THAT(second_carrying(R"({"file": "", "fit": 60})"), HasSubstr("there is no model"));
+  for (const char* fit : {"0", "-5", "10001", "\"big\""})
+    EXPECT_THAT(second_carrying(R"({"file": "a", "fit": )" + std::string(fit) + "}"), HasSubstr("\"fit\" must be"));
+}
+
 TEST(CatalogJson, RoundTripIsByteForByteStable) {
   const std::string once = to_json(example_catalog());
   const std::string twice = to_json(catalog_from_json(once, "catalog.json"));
@@ -156,7 +194,8 @@ TEST(CatalogJson, RefusesWrongTypes) {
   EXPECT_THAT(second_with(R"("cells": ["R"])"), HasSubstr("\"cells\" must be a text"));
   EXPECT_THAT(second_with(R"("value": -1)"), HasSubstr("\"value\" must be a whole number"));
   EXPECT_THAT(second_with(R"("value": "1")"), HasSubstr("\"value\" must be a whole number"));
-  EXPECT_THAT(second_with(R"("value": 3, "model": null)"), HasSubstr("\"model\" must be a text, not null"));
+  EXPECT_THAT(second_with(R"("value": 3, "model": null)"),
+              HasSubstr("\"model\" must be a text, or an object with \"file\", not null"));
   EXPECT_THAT(second_shaped("\"angle\""), HasSubstr("\"shape\" must be an object"));
   EXPECT_THAT(second_shaped(R"({"kind": "ring"})"), HasSubstr("\"ring\"; it must be \"angle\""));
   EXPECT_THAT(error_of([] { catalog_from_json("[]", "f.json"); }), HasSubstr("must be an object, not array"));

@@ -22,11 +22,18 @@ inline MarkerSpec marker(int id, const std::string& name, std::uint64_t value, S
   return {id, name, encode(value, shape.cells()), std::move(shape), std::move(model)};
 }
 
-/// One marker of every kind of shape, and numbers that do not print in few digits.
+inline MarkerSpec with(MarkerSpec marker, ModelImport import) {
+  marker.import = import;
+  return marker;
+}
+
+/// One marker of every kind of shape, models of which more or less is said, and numbers that do not print in few
+/// digits.
 inline Catalog example_catalog() {
   return {{marker(1, "m01", 12345, Shape::angle(36, 4, 3, 0), "models/bracket a.glb"),
            marker(2, "bent", 54321, Shape::angle(36, 4, 3, 8)),
-           marker(5, "Größe \"5\"", 7, Shape::line(12, 1.0 / 3, 0.1), "b.glb"),
+           with(marker(5, "Größe \"5\"", 7, Shape::line(12, 1.0 / 3, 0.1), "b.stl"),
+                {.unit = LengthUnit::inch, .up = UpAxis::x, .fit = 200.0 / 3}),
            marker(9, "stroke", 99, Shape::stroke(20, 4, 2, 0, {{0, 0, 0}, {0.1, 40, 0}, {0.1, 40, 39.999875}}))}};
 }
 

@@ -8,7 +8,8 @@ namespace onestroke {
 namespace {
 
 TEST(ComparisonAllocation, NoFrameAllocates) {
-  Comparison comparison({{1, "bracket_v1"}, {2, "bracket_v2"}});
+  const std::array carried{CarriedModel{1, Text("bracket_v1")}, CarriedModel{2, Text("bracket_v2")}};
+  Comparison comparison(carried);
   Stick left{.id = 1, .place = {-100, 0, 400}}, right{.id = 2, .place = {100, 0, 400}};
   const long before = test::allocations_of_this_thread();
   for (int ms = 0; ms < 6000; ms += 10) {

@@ -1,6 +1,5 @@
 #include "scene/comparison.h"
 
-#include "scene/anchor.h"
 #include "sticks.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +38,8 @@ class ComparisonTest : public testing::Test {
   const ComparisonView& view() const { return comparison_.view(); }
   double shown_angle(Hand h, Quat q) const { return angle_between(view()[h].T_world_model.rotation, q); }
 
-  Comparison comparison_{{{1, "bracket_v1"}, {2, "bracket_v2"}}};
+  std::vector<CarriedModel> carried_{{1, Text("bracket_v1"), {38, -34, 0}}, {2, Text("bracket_v2"), {50, -12, 0}}};
+  Comparison comparison_{carried_};
   Stick left_{.id = 1, .place = {-100, 0, 400}, .rotation = from_euler_xyz(0.3, -0.8, 1.9)};
   Stick right_{.id = 2, .place = {100, 20, 400}, .rotation = from_euler_xyz(-1.2, 0.4, -2.0)};
   double now_ = 0;
@@ -69,9 +69,24 @@ TEST_F(ComparisonTest, LinkedBothShowTheLeadersSideEachAtItsOwnStick) {
   EXPECT_NEAR(shown_angle(Hand::left, left_.rotation), 0, 1e-6);
   EXPECT_NEAR(shown_angle(Hand::right, left_.rotation), 0, 1e-6);
   // The follower's middle stays where its own stick holds it.
-  const Vec3 held = Pose{right_.rotation, right_.place} * anchor_pivot;
-  EXPECT_NEAR(norm(view()[Hand::right].T_world_model * anchor_pivot - held), 0, 1e-9);
+  const Vec3 pivot = carried_[1].pivot, held = Pose{right_.rotation, right_.place} * pivot;
+  EXPECT_NEAR(norm(view()[Hand::right].T_world_model * pivot - held), 0, 1e-9);
   expect_same(view()[Hand::left].T_world_model, {left_.rotation, left_.place});
+}
+
+TEST_F(ComparisonTest, WhatIsCarriedMayChangeFromFrameToFrame) {
+  carried_[1] = {2, Text("loading 40 %"), {}};
+  run(500);
+  comparison_.toggle();
+  run(300);
+  EXPECT_THAT(std::string(view()[Hand::right].label.view()), HasSubstr("stick 2 · loading 40 %"));
+  // With nothing there yet the stick turns about its corner.
+  EXPECT_NEAR(norm(view()[Hand::right].T_world_model.translation - right_.place), 0, 1e-9);
+  carried_[1] = {2, Text("bracket_v2"), {38, -20, 0}};
+  run(frame_ms);
+  EXPECT_THAT(std::string(view()[Hand::right].label.view()), HasSubstr("stick 2 · bracket_v2"));
+  const Vec3 held = Pose{right_.rotation, right_.place} * carried_[1].pivot;
+  EXPECT_NEAR(norm(view()[Hand::right].T_world_model * carried_[1].pivot - held), 0, 1e-9);
 }
 
 TEST_F(ComparisonTest, NothingJumpsWhenLinkingUnlinkingOrChangingTheLead) {
