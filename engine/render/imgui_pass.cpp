@@ -1,5 +1,6 @@
 #include "render/imgui_pass.h"
 
+#include "render/graphics_pipeline.h"
 #include "render/pipelines.h"
 #include "shaders/spirv.h"
 
@@ -53,56 +54,11 @@ vk::raii::PipelineLayout make_layout(Device& device, vk::DescriptorSetLayout set
       {.setLayoutCount = 1, .pSetLayouts = &set, .pushConstantRangeCount = 1, .pPushConstantRanges = &push});
 }
 
-constexpr vk::VertexInputBindingDescription vertex_binding{0, sizeof(ImDrawVert)};
+constexpr std::array vertex_bindings{vk::VertexInputBindingDescription{0, sizeof(ImDrawVert)}};
 constexpr std::array vertex_attributes{
     vk::VertexInputAttributeDescription{0, 0, vk::Format::eR32G32Sfloat, offsetof(ImDrawVert, pos)},
     vk::VertexInputAttributeDescription{1, 0, vk::Format::eR32G32Sfloat, offsetof(ImDrawVert, uv)},
     vk::VertexInputAttributeDescription{2, 0, vk::Format::eR8G8B8A8Unorm, offsetof(ImDrawVert, col)}};
-
-vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout, vk::Format target) {
-  const auto module_of = [&device](std::span<const std::uint32_t> words) {
-    return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
-  };
-  const auto vertex = module_of(spirv::imgui_vert()), fragment = module_of(spirv::imgui_frag());
-  const std::array stages{
-      vk::PipelineShaderStageCreateInfo{.stage = ShaderStage::eVertex, .module = *vertex, .pName = "main"},
-      vk::PipelineShaderStageCreateInfo{.stage = ShaderStage::eFragment, .module = *fragment, .pName = "main"}};
-  const vk::PipelineVertexInputStateCreateInfo input{.vertexBindingDescriptionCount = 1,
-                                                     .pVertexBindingDescriptions = &vertex_binding,
-                                                     .vertexAttributeDescriptionCount = vertex_attributes.size(),
-                                                     .pVertexAttributeDescriptions = vertex_attributes.data()};
-  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-  const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
-  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
-  const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = sample_count};
-  const vk::PipelineDepthStencilStateCreateInfo depth{};
-  using Factor = vk::BlendFactor;
-  const vk::PipelineColorBlendAttachmentState blend{
-      .blendEnable = true,
-      .srcColorBlendFactor = Factor::eOne,
-      .dstColorBlendFactor = Factor::eOneMinusSrcAlpha,
-      .srcAlphaBlendFactor = Factor::eOne,
-      .dstAlphaBlendFactor = Factor::eOneMinusSrcAlpha,
-      .colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags};
-  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
-  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
-  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = dynamic.size(),
-                                                    .pDynamicStates = dynamic.data()};
-  const vk::PipelineRenderingCreateInfo rendering{
-      .colorAttachmentCount = 1, .pColorAttachmentFormats = &target, .depthAttachmentFormat = depth_format};
-  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
-                                                                      .stageCount = stages.size(),
-                                                                      .pStages = stages.data(),
-                                                                      .pVertexInputState = &input,
-                                                                      .pInputAssemblyState = &assembly,
-                                                                      .pViewportState = &viewport,
-                                                                      .pRasterizationState = &raster,
-                                                                      .pMultisampleState = &multisample,
-                                                                      .pDepthStencilState = &depth,
-                                                                      .pColorBlendState = &blends,
-                                                                      .pDynamicState = &dynamics,
-                                                                      .layout = layout});
-}
 
 template <typename T>
 std::span<const T> all_of(const ImVector<T>& list) {
@@ -133,7 +89,15 @@ ImguiPass::ImguiPass(Device& device, const Image& glyphs, vk::Sampler sampler)
       layout_(make_layout(device, *set_layout_)) {}
 
 void ImguiPass::fit(vk::Format target) {
-  pipeline_ = make_pipeline(device_, *layout_, target);
+  pipeline_ = make_graphics_pipeline(device_, {.vertex = spirv::imgui_vert(),
+                                               .fragment = spirv::imgui_frag(),
+                                               .layout = *layout_,
+                                               .bindings = vertex_bindings,
+                                               .attributes = vertex_attributes,
+                                               .color = target,
+                                               .depth = depth_format,
+                                               .samples = sample_count,
+                                               .blends = true});
 }
 
 std::uint64_t ImguiPass::bytes_of(const ImDrawData* gui) {

@@ -1,5 +1,6 @@
 #include "render_floor.h"
 
+#include "render/graphics_pipeline.h"
 #include "render/upload.h"
 
 namespace onestroke::bench {
@@ -52,40 +53,6 @@ vk::DescriptorSet make_set(Device& device, vk::DescriptorPool pool, vk::Descript
   return set;
 }
 
-vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout, vk::Format format) {
-  const auto vertex =
-      device.vk().createShaderModule({.codeSize = sizeof full_screen_vert_words, .pCode = full_screen_vert_words});
-  const auto fragment =
-      device.vk().createShaderModule({.codeSize = sizeof full_screen_frag_words, .pCode = full_screen_frag_words});
-  const std::array stages{
-      vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
-      vk::PipelineShaderStageCreateInfo{
-          .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
-  const vk::PipelineVertexInputStateCreateInfo input;
-  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-  const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
-  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
-  const vk::PipelineMultisampleStateCreateInfo samples{.rasterizationSamples = vk::SampleCountFlagBits::e1};
-  const vk::PipelineColorBlendAttachmentState blend{.colorWriteMask =
-                                                        vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags};
-  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
-  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
-  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = dynamic.size(),
-                                                    .pDynamicStates = dynamic.data()};
-  const vk::PipelineRenderingCreateInfo rendering{.colorAttachmentCount = 1, .pColorAttachmentFormats = &format};
-  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
-                                                                      .stageCount = stages.size(),
-                                                                      .pStages = stages.data(),
-                                                                      .pVertexInputState = &input,
-                                                                      .pInputAssemblyState = &assembly,
-                                                                      .pViewportState = &viewport,
-                                                                      .pRasterizationState = &raster,
-                                                                      .pMultisampleState = &samples,
-                                                                      .pColorBlendState = &blends,
-                                                                      .pDynamicState = &dynamics,
-                                                                      .layout = layout});
-}
-
 }  // namespace
 
 RenderFloor::RenderFloor(Device& device, const RenderTarget& target)
@@ -97,7 +64,10 @@ RenderFloor::RenderFloor(Device& device, const RenderTarget& target)
       descriptors_(make_descriptors(device)),
       set_(make_set(device, *descriptors_, *set_layout_, *sampler_, picture_)),
       layout_(device.vk().createPipelineLayout({.setLayoutCount = 1, .pSetLayouts = &*set_layout_})),
-      pipeline_(make_pipeline(device, *layout_, static_cast<vk::Format>(target.format))),
+      pipeline_(make_graphics_pipeline(device, {.vertex = full_screen_vert_words,
+                                                .fragment = full_screen_frag_words,
+                                                .layout = *layout_,
+                                                .color = static_cast<vk::Format>(target.format)})),
       pool_(device.vk().createCommandPool(
           {.flags = vk::CommandPoolCreateFlagBits::eTransient, .queueFamilyIndex = device.queue_family()})),
       commands_(

@@ -1,0 +1,59 @@
+#include "render/graphics_pipeline.h"
+
+namespace onestroke {
+
+namespace {
+
+vk::PipelineColorBlendAttachmentState blend_of(const PipelineRecipe& recipe) {
+  using Factor = vk::BlendFactor;
+  return {.blendEnable = recipe.blends,
+          .srcColorBlendFactor = Factor::eOne,
+          .dstColorBlendFactor = Factor::eOneMinusSrcAlpha,
+          .srcAlphaBlendFactor = Factor::eOne,
+          .dstAlphaBlendFactor = Factor::eOneMinusSrcAlpha,
+          .colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags};
+}
+
+}  // namespace
+
+vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& recipe) {
+  const auto module_of = [&device](std::span<const std::uint32_t> words) {
+    return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
+  };
+  const auto vertex = module_of(recipe.vertex), fragment = module_of(recipe.fragment);
+  using Stage = vk::ShaderStageFlagBits;
+  const std::array stages{
+      vk::PipelineShaderStageCreateInfo{.stage = Stage::eVertex, .module = *vertex, .pName = "main"},
+      vk::PipelineShaderStageCreateInfo{.stage = Stage::eFragment, .module = *fragment, .pName = "main"}};
+  const vk::PipelineVertexInputStateCreateInfo input{
+      .vertexBindingDescriptionCount = static_cast<std::uint32_t>(recipe.bindings.size()),
+      .pVertexBindingDescriptions = recipe.bindings.data(),
+      .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(recipe.attributes.size()),
+      .pVertexAttributeDescriptions = recipe.attributes.data()};
+  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = recipe.topology};
+  const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
+  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
+  const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = recipe.samples};
+  const vk::PipelineDepthStencilStateCreateInfo depth{};
+  const auto blend = blend_of(recipe);
+  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
+  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = dynamic.size(),
+                                                    .pDynamicStates = dynamic.data()};
+  const vk::PipelineRenderingCreateInfo rendering{
+      .colorAttachmentCount = 1, .pColorAttachmentFormats = &recipe.color, .depthAttachmentFormat = recipe.depth};
+  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
+                                                                      .stageCount = stages.size(),
+                                                                      .pStages = stages.data(),
+                                                                      .pVertexInputState = &input,
+                                                                      .pInputAssemblyState = &assembly,
+                                                                      .pViewportState = &viewport,
+                                                                      .pRasterizationState = &raster,
+                                                                      .pMultisampleState = &multisample,
+                                                                      .pDepthStencilState = &depth,
+                                                                      .pColorBlendState = &blends,
+                                                                      .pDynamicState = &dynamics,
+                                                                      .layout = recipe.layout});
+}
+
+}  // namespace onestroke
