@@ -1,4 +1,4 @@
-#include "example_catalog.h"
+#include "catalog_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,37 +21,6 @@ using test::same;
 using testing::AllOf;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
-
-class CatalogStoreTest : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "onestroke-store-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    file_ = folder_ / "catalog.db";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void make() { CatalogStore(file_, true).import(example_catalog()); }
-  /// Changes the database behind the store's back.
-  void sql(const std::string& statements) {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(file_.c_str(), &database), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(database, statements.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << statements;
-    sqlite3_close(database);
-  }
-
-  fs::path folder_, file_;
-};
 
 TEST_F(CatalogStoreTest, KeepsWhatIsImported) {
   make();
@@ -148,42 +117,6 @@ TEST_F(CatalogStoreTest, RefusesANewerFormat) {
   make();
   sql("PRAGMA user_version = 3");
   EXPECT_THAT(error_of([&] { CatalogStore store(file_); }), AllOf(HasSubstr("format 3"), HasSubstr("update")));
-}
-
-/// The example as format 1 had it, which knew of files alone.
-class OldCatalogTest : public CatalogStoreTest {
- protected:
-  void SetUp() override {
-    CatalogStoreTest::SetUp();
-    for (MarkerSpec& marker : old_.markers) marker.import = {};
-    CatalogStore(file_, true).import(old_);
-    sql("ALTER TABLE marker DROP COLUMN unit; ALTER TABLE marker DROP COLUMN up; ALTER TABLE marker DROP COLUMN fit;"
-        "PRAGMA user_version = 1");
-  }
-
-  Catalog old_ = example_catalog();
-};
-
-TEST_F(OldCatalogTest, IsReadWithoutBeingChanged) {
-  const std::string before = content(file_);
-  EXPECT_TRUE(same(CatalogStore(file_).load(), old_));
-  EXPECT_EQ(content(file_), before);
-}
-
-TEST_F(OldCatalogTest, IsBroughtUpToDateByTheFirstChange) {
-  const Catalog more{{test::with(marker(3, "new", 1, Shape::angle(36, 4, 3, 0), "part.stl"),
-                                 {.unit = LengthUnit::centimetre, .up = UpAxis::y, .fit = 55.5})}};
-  CatalogStore(file_).import(more);
-  Catalog all = old_;
-  all.markers.insert(all.markers.begin() + 2, more.markers.front());
-  EXPECT_TRUE(same(CatalogStore(file_).load(), all));
-}
-
-TEST_F(OldCatalogTest, StaysOldWhereTheChangeIsRefused) {
-  EXPECT_THAT(error_of([&] { CatalogStore(file_).import(old_); }), HasSubstr("nothing was changed"));
-  EXPECT_TRUE(same(CatalogStore(file_).load(), old_));
-  CatalogStore(file_).import(old_, true);
-  EXPECT_TRUE(same(CatalogStore(file_).load(), old_));
 }
 
 TEST_F(CatalogStoreTest, EveryTruncationIsSeen) {
