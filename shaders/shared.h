@@ -77,9 +77,9 @@ struct SceneData {
   vec4 picture_shape;      // width / height; texture coordinates of the finger matte over the picture's; 0
   vec4 key_direction;      // xyz: to the light, unit
   vec4 key_color;
-  vec4 matt[9];  // spherical harmonics of what a white matt surface gives back
-  vec4 tone;     // rgb: what the camera shows as black; w: the camera's noise at mid grey, coded
-  vec4 grain;    // camera pixels for a pixel of the view, seed, 0, 0
+  vec4 matt[9];            // spherical harmonics of what a white matt surface gives back
+  vec4 tone;               // rgb: what the camera shows as black; w: the camera's noise at mid grey, coded
+  vec4 grain;              // camera pixels for a pixel of the view, seed, 0, 0
   vec4 balls[MOST_BALLS];  // centre, radius
 };
 
@@ -124,7 +124,8 @@ struct UnpackData {
 #ifdef __cplusplus
 static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 160);
 static_assert(offsetof(SceneData, key_direction) == 80 && sizeof(SceneData) == 800);
-static_assert(sizeof(DrawData) == 112 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 && sizeof(LineData) == 48);
+static_assert(sizeof(DrawData) == 112 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 &&
+              sizeof(LineData) == 48);
 static_assert(sizeof(UnpackData) == 32);
 }  // namespace onestroke::gpu
 #endif
