@@ -1,12 +1,12 @@
 #include "display/offscreen.h"
 
 #include "core/error.h"
-#include "render/target.h"
 #include "display/film.h"
 #include "display/open_display.h"
 #include "display/png_file.h"
 #include "golden/comparator.h"
 #include "golden/stage.h"
+#include "render/target.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
