@@ -39,6 +39,8 @@ inline constexpr const char* display =
     "Where to show it: window or offscreen:DIR (numbered pictures). Default: a window where there "
     "is a "
     "display, otherwise off-screen";
+inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
+inline constexpr const char* no_fingers = "Show models before the fingers that hold their sticks";
 inline constexpr const char* gpu =
     "Which GPU draws: part of its name, or its number in the list that a wrong name prints. Default: a graphics card "
     "before a chip in the processor before the processor itself";

@@ -55,6 +55,15 @@ SourceOptions source_for(SourceOptions source, bool offscreen) {
   return source;
 }
 
+DisplayOptions display_options(const RunOptions& options, bool offscreen, double rate) {
+  DisplayOptions display{.rate = rate};
+  if (!options.stereo) return display;
+  if (!offscreen) throw UsageError("a window shows one view: leave out --stereo, or use --display offscreen:DIR");
+  display.views = 2;
+  display.width *= 2;
+  return display;
+}
+
 FrameFeed::Pace pace_for(const Camera& camera, bool offscreen) {
   if (camera.live()) return FrameFeed::Pace::newest;
   return offscreen ? FrameFeed::Pace::each : FrameFeed::Pace::at_its_time;
@@ -94,7 +103,7 @@ int run_command(const RunOptions& options, std::ostream& out) {
   const bool offscreen = spec.starts_with("offscreen");
   const std::unique_ptr<Camera> camera = open_source(source_for(options.source, offscreen), catalog);
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
-  const std::unique_ptr<Display> display = open_display(spec, {.rate = rate});
+  const std::unique_ptr<Display> display = open_display(spec, display_options(options, offscreen, rate));
   Graphics graphics(
       *display,
       {.catalog = catalog,
@@ -113,7 +122,7 @@ int run_command(const RunOptions& options, std::ostream& out) {
       pace == FrameFeed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
   try {
     Progress progress(!offscreen);
-    Show show({*display, graphics, tracking}, pace, options.mode);
+    Show show({*display, graphics, tracking}, pace, options.mode, options.fingers);
     show.run(limits, [&](std::size_t pictures) { progress.say(pictures, expected, " shown"); });
   } catch (const std::exception&) {
     finish_all_the_same(*display);

@@ -8,8 +8,9 @@
 
 namespace onestroke {
 
-Show::Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode)
+Show::Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode, bool fingers)
     : parts_(parts),
+      fingers_(fingers),
       clocked_(pace == FrameFeed::Pace::newest),
       feed_(parts.tracking, pace, mode),
       hands_(parts.graphics.shelf()),
@@ -113,6 +114,7 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
   const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
   FrameScene scene = hands_.update(record, feed_.now(), frame.seen(), status);
+  scene.fingers = fingers_;
   if (desktop && hands_.words()) {
     hud_words_.update(record, meter_.figures());
     scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);

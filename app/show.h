@@ -36,7 +36,8 @@ class Show {
     TrackingThread& tracking;
   };
 
-  Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode);
+  /// fingers: whether those that hold a stick are shown before the model behind them.
+  Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode, bool fingers = true);
 
   /// Until the feed or a limit ends it, the display closes, or somebody asks. `say` hears how many pictures were shown.
   /// Throws Error where the GPU cannot go on, or was lost for the second time within a short while.
@@ -60,6 +61,7 @@ class Show {
   void measure(const FrameInfo& frame, bool new_picture);
 
   Parts parts_;
+  const bool fingers_;
   const bool clocked_;  // pictures come with the time on the display's clock
   FrameFeed feed_;
   TwoHands hands_;

@@ -39,6 +39,22 @@ TEST_F(RunProgram, WithoutADesktopGoesIntoFilesByItself) {
   EXPECT_EQ(count_of(folder / "out" / "demo", ".png"), 2);
 }
 
+TEST_F(RunProgram, ShowsAPictureForEachEye) {
+  const Ended ended = run(small + "--display offscreen:pair --stereo --frames 3");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const golden::Picture pair = golden::read_png(folder / "pair" / "frame_000002.png");
+  ASSERT_EQ(pair.width, 2560);
+  ASSERT_EQ(pair.height, 720);
+  // What is near is seen in different places, so the halves differ.
+  int differing = 0;
+  for (int y = 0; y < pair.height; ++y)
+    for (int x = 0; x < 1280; ++x) differing += pair.at(x, y)[1] != pair.at(x + 1280, y)[1];
+  EXPECT_GT(differing, 1280 * 720 / 20);
+  const Ended window = run(small + "--display window --stereo --frames 3");
+  EXPECT_EQ(window.code, 2);
+  EXPECT_NE(window.err.find("leave out --stereo"), std::string::npos) << window.err;
+}
+
 TEST_F(RunProgram, ShowsTheSameTwice) {
   const std::string options = small + "--display offscreen:";
   EXPECT_EQ(run(options + "a --frames 8").code, 0);

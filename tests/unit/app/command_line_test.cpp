@@ -46,13 +46,16 @@ TEST(CommandLine, RunAloneIsTheDemo) {
   EXPECT_EQ(run.display, "");
   EXPECT_TRUE(run.catalog.empty());
   EXPECT_EQ(run.gpu, "");
+  EXPECT_FALSE(run.stereo);
+  EXPECT_TRUE(run.fingers);
   EXPECT_EQ(run.mode, PictureTime::exposure);
   EXPECT_FALSE(run.source.fov_deg || run.source.readout_ms || run.frames || run.seconds);
 }
 
 TEST(CommandLine, RunTakesEveryOption) {
   const auto run = parsed<RunOptions>(
-      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --catalog c.db --gpu radeon "
+      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --stereo --no-fingers --catalog "
+      "c.db --gpu radeon "
       "--mode fresh "
       "--frames 300 --seconds 2.5");
   EXPECT_EQ(run.source.camera, "file:a.mp4");
@@ -61,6 +64,8 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.display, "offscreen:film");
   EXPECT_EQ(run.catalog, "c.db");
   EXPECT_EQ(run.gpu, "radeon");
+  EXPECT_TRUE(run.stereo);
+  EXPECT_FALSE(run.fingers);
   EXPECT_EQ(run.mode, PictureTime::fresh);
   EXPECT_EQ(run.frames, 300);
   EXPECT_EQ(run.seconds, 2.5);
