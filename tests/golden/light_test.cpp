@@ -88,7 +88,7 @@ TEST_F(InTheRoom, ModelsThatComeNearDarkenEachOther) {
     return draw({.instances = instances});
   };
   // On the slab, just in front of the ring.
-  const auto level = [this](const Picture& p) { return int{p.at(width / 2, 256)[1]}; };
+  const auto level = [](const Picture& p) { return int{p.at(width / 2, 256)[1]}; };
   const Picture touching = drawn_at(0), apart = drawn_at(0.05F), far = drawn_at(0.6F);
   EXPECT_LT(level(touching), level(apart) - 5);
   EXPECT_LT(level(apart), level(far));
