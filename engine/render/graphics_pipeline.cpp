@@ -6,12 +6,13 @@ namespace {
 
 vk::PipelineColorBlendAttachmentState blend_of(const PipelineRecipe& recipe) {
   using Factor = vk::BlendFactor;
-  return {.blendEnable = recipe.blends,
-          .srcColorBlendFactor = Factor::eOne,
-          .dstColorBlendFactor = Factor::eOneMinusSrcAlpha,
-          .srcAlphaBlendFactor = Factor::eOne,
-          .dstAlphaBlendFactor = Factor::eOneMinusSrcAlpha,
-          .colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags};
+  vk::PipelineColorBlendAttachmentState state{.blendEnable = recipe.blends,
+                                              .srcColorBlendFactor = Factor::eOne,
+                                              .dstColorBlendFactor = Factor::eOneMinusSrcAlpha,
+                                              .srcAlphaBlendFactor = Factor::eOne,
+                                              .dstAlphaBlendFactor = Factor::eOneMinusSrcAlpha};
+  if (recipe.writes_color) state.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
+  return state;
 }
 
 }  // namespace
@@ -34,14 +35,19 @@ vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& 
   const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
   const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
   const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = recipe.samples};
-  const vk::PipelineDepthStencilStateCreateInfo depth{};
+  const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = recipe.tests_depth,
+                                                      .depthWriteEnable = recipe.writes_depth,
+                                                      .depthCompareOp = vk::CompareOp::eGreaterOrEqual};
   const auto blend = blend_of(recipe);
   const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
-  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
-  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = dynamic.size(),
+  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
+                           vk::DynamicState::eFrontFace};
+  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = recipe.sets_culling ? 4U : 2U,
                                                     .pDynamicStates = dynamic.data()};
-  const vk::PipelineRenderingCreateInfo rendering{
-      .colorAttachmentCount = 1, .pColorAttachmentFormats = &recipe.color, .depthAttachmentFormat = recipe.depth};
+  const vk::PipelineRenderingCreateInfo rendering{.viewMask = recipe.view_mask,
+                                                  .colorAttachmentCount = 1,
+                                                  .pColorAttachmentFormats = &recipe.color,
+                                                  .depthAttachmentFormat = recipe.depth};
   return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
                                                                       .stageCount = stages.size(),
                                                                       .pStages = stages.data(),

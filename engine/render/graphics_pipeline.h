@@ -6,7 +6,7 @@
 
 namespace onestroke {
 
-/// A graphics pipeline for dynamic rendering. Viewport and scissor are set while recording; nothing is culled.
+/// A graphics pipeline for dynamic rendering. Viewport and scissor are set while recording.
 struct PipelineRecipe {
   std::span<const std::uint32_t> vertex, fragment;  ///< SPIR-V, entry point "main".
   vk::PipelineLayout layout;
@@ -14,9 +14,14 @@ struct PipelineRecipe {
   std::span<const vk::VertexInputAttributeDescription> attributes{};
   vk::PrimitiveTopology topology = vk::PrimitiveTopology::eTriangleList;
   vk::Format color = vk::Format::eUndefined;
-  vk::Format depth = vk::Format::eUndefined;  ///< Of the attachment, which is neither tested nor written; none here.
+  vk::Format depth = vk::Format::eUndefined;  ///< Of the attachment; none here.
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
-  bool blends = false;  ///< Premultiplied, over what is there.
+  std::uint32_t view_mask = 0;  ///< A bit for every view that is drawn at once; 0 for one by itself.
+  bool tests_depth = false;     ///< The reverse way round: nearer is greater.
+  bool writes_depth = false;
+  bool writes_color = true;
+  bool blends = false;        ///< Premultiplied, over what is there.
+  bool sets_culling = false;  ///< Culling and front face are set while recording; otherwise nothing is culled.
 };
 
 /// Throws vk::SystemError.

@@ -1,5 +1,6 @@
 #include "render/multiview_probe.h"
 
+#include "render/graphics_pipeline.h"
 #include "render/resources.h"
 #include "shaders/spirv.h"
 
@@ -16,39 +17,6 @@ using Layout = vk::ImageLayout;
 constexpr auto format = vk::Format::eR8Unorm;
 constexpr std::uint32_t size = 4, views = 2, view_mask = 0b11;
 
-vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout) {
-  const auto module = [&device](std::span<const std::uint32_t> words) {
-    return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
-  };
-  const auto vertex = module(spirv::probe_vert()), fragment = module(spirv::probe_frag());
-  const std::array stages{
-      vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
-      vk::PipelineShaderStageCreateInfo{
-          .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
-  const vk::PipelineVertexInputStateCreateInfo input{};
-  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
-  const vk::Viewport viewport{0, 0, size, size, 0, 1};
-  const vk::Rect2D scissor{{0, 0}, {size, size}};
-  const vk::PipelineViewportStateCreateInfo viewports{
-      .viewportCount = 1, .pViewports = &viewport, .scissorCount = 1, .pScissors = &scissor};
-  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
-  const vk::PipelineMultisampleStateCreateInfo samples{.rasterizationSamples = vk::SampleCountFlagBits::e1};
-  const vk::PipelineColorBlendAttachmentState blend{.colorWriteMask = vk::ColorComponentFlagBits::eR};
-  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
-  const vk::PipelineRenderingCreateInfo rendering{
-      .viewMask = view_mask, .colorAttachmentCount = 1, .pColorAttachmentFormats = &format};
-  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
-                                                                      .stageCount = stages.size(),
-                                                                      .pStages = stages.data(),
-                                                                      .pVertexInputState = &input,
-                                                                      .pInputAssemblyState = &assembly,
-                                                                      .pViewportState = &viewports,
-                                                                      .pRasterizationState = &raster,
-                                                                      .pMultisampleState = &samples,
-                                                                      .pColorBlendState = &blends,
-                                                                      .layout = layout});
-}
-
 void draw(const vk::raii::CommandBuffer& commands, vk::Pipeline pipeline, const Image& image, const Buffer& bytes) {
   const Access written{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
   image_barrier(commands, image.handle(), {Layout::eUndefined, Layout::eColorAttachmentOptimal}, {}, written);
@@ -61,6 +29,8 @@ void draw(const vk::raii::CommandBuffer& commands, vk::Pipeline pipeline, const 
                            .viewMask = view_mask,
                            .colorAttachmentCount = 1,
                            .pColorAttachments = &color});
+  commands.setViewport(0, vk::Viewport{0, 0, size, size, 0, 1});
+  commands.setScissor(0, vk::Rect2D{{0, 0}, {size, size}});
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
   commands.draw(3, 1, 0, 0);
   commands.endRendering();
@@ -87,7 +57,11 @@ bool multiview_works(Device& device) {
                              .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
   const Buffer bytes(device, size * size * views, vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
   const auto layout = device.vk().createPipelineLayout({});
-  const auto pipeline = make_pipeline(device, *layout);
+  const auto pipeline = make_graphics_pipeline(device, {.vertex = spirv::probe_vert(),
+                                                        .fragment = spirv::probe_frag(),
+                                                        .layout = *layout,
+                                                        .color = format,
+                                                        .view_mask = view_mask});
   device.run_now([&](const vk::raii::CommandBuffer& commands) { draw(commands, *pipeline, image, bytes); });
   const std::span seen(bytes.mapped(), bytes.size());
   const auto shows = [](std::span<const std::byte> layer, int view) {

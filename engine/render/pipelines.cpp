@@ -1,5 +1,6 @@
 #include "render/pipelines.h"
 
+#include "render/graphics_pipeline.h"
 #include "scene/model.h"
 #include "shaders/shared.h"
 #include "shaders/spirv.h"
@@ -9,16 +10,6 @@ namespace onestroke {
 namespace {
 
 using ShaderStage = vk::ShaderStageFlagBits;
-using Words = std::span<const std::uint32_t>;
-
-struct Recipe {
-  Words vertex, fragment;
-  std::span<const vk::VertexInputBindingDescription> bindings;
-  std::span<const vk::VertexInputAttributeDescription> attributes;
-  vk::PrimitiveTopology topology = vk::PrimitiveTopology::eTriangleStrip;
-  bool tests_depth = false, writes_depth = false, writes_color = true, blends = false, sets_culling = false;
-};
-
 constexpr auto floats = [](std::uint32_t n) {
   constexpr std::array formats{vk::Format::eR32Sfloat, vk::Format::eR32G32Sfloat, vk::Format::eR32G32B32Sfloat,
                                vk::Format::eR32G32B32A32Sfloat};
@@ -46,77 +37,17 @@ std::array<vk::VertexInputAttributeDescription, count> vec4_attributes() {
 const auto quad_attributes = vec4_attributes<6>();
 const auto line_attributes = vec4_attributes<3>();
 
-vk::raii::ShaderModule make_module(Device& device, Words words) {
-  return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
+PipelineRecipe passthrough_recipe() {
+  return {.vertex = spirv::passthrough_vert(),
+          .fragment = spirv::passthrough_frag(),
+          .layout = {},
+          .topology = vk::PrimitiveTopology::eTriangleStrip};
 }
 
-vk::PipelineColorBlendAttachmentState blend_of(const Recipe& recipe) {
-  using Factor = vk::BlendFactor;
-  vk::PipelineColorBlendAttachmentState state{.blendEnable = recipe.blends,
-                                              .srcColorBlendFactor = Factor::eOne,
-                                              .dstColorBlendFactor = Factor::eOneMinusSrcAlpha,
-                                              .srcAlphaBlendFactor = Factor::eOne,
-                                              .dstAlphaBlendFactor = Factor::eOneMinusSrcAlpha};
-  if (recipe.writes_color) state.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
-  return state;
-}
-
-struct Place {
-  Device& device;
-  const Layouts& layouts;
-  vk::Format color;
-  std::uint32_t view_mask;
-};
-
-vk::raii::Pipeline make_pipeline(const Place& place, const Recipe& recipe) {
-  Device& device = place.device;
-  const auto vertex = make_module(device, recipe.vertex), fragment = make_module(device, recipe.fragment);
-  const std::array stages{
-      vk::PipelineShaderStageCreateInfo{.stage = ShaderStage::eVertex, .module = *vertex, .pName = "main"},
-      vk::PipelineShaderStageCreateInfo{.stage = ShaderStage::eFragment, .module = *fragment, .pName = "main"}};
-  const vk::PipelineVertexInputStateCreateInfo input{
-      .vertexBindingDescriptionCount = static_cast<std::uint32_t>(recipe.bindings.size()),
-      .pVertexBindingDescriptions = recipe.bindings.data(),
-      .vertexAttributeDescriptionCount = static_cast<std::uint32_t>(recipe.attributes.size()),
-      .pVertexAttributeDescriptions = recipe.attributes.data()};
-  const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = recipe.topology};
-  const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
-  const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
-  const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = sample_count};
-  const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = recipe.tests_depth,
-                                                      .depthWriteEnable = recipe.writes_depth,
-                                                      .depthCompareOp = vk::CompareOp::eGreaterOrEqual};
-  const auto blend = blend_of(recipe);
-  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
-  const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
-                           vk::DynamicState::eFrontFace};
-  const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = recipe.sets_culling ? 4U : 2U,
-                                                    .pDynamicStates = dynamic.data()};
-  const vk::PipelineRenderingCreateInfo rendering{.viewMask = place.view_mask,
-                                                  .colorAttachmentCount = 1,
-                                                  .pColorAttachmentFormats = &place.color,
-                                                  .depthAttachmentFormat = depth_format};
-  return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
-                                                                      .stageCount = stages.size(),
-                                                                      .pStages = stages.data(),
-                                                                      .pVertexInputState = &input,
-                                                                      .pInputAssemblyState = &assembly,
-                                                                      .pViewportState = &viewport,
-                                                                      .pRasterizationState = &raster,
-                                                                      .pMultisampleState = &multisample,
-                                                                      .pDepthStencilState = &depth,
-                                                                      .pColorBlendState = &blends,
-                                                                      .pDynamicState = &dynamics,
-                                                                      .layout = *place.layouts.pipeline});
-}
-
-Recipe passthrough_recipe() {
-  return {.vertex = spirv::passthrough_vert(), .fragment = spirv::passthrough_frag(), .bindings = {}, .attributes = {}};
-}
-
-Recipe model_recipe(bool writes_color, bool blends) {
+PipelineRecipe model_recipe(bool writes_color, bool blends) {
   return {.vertex = spirv::model_vert(),
           .fragment = spirv::model_frag(),
+          .layout = {},
           .bindings = model_bindings,
           .attributes = model_attributes,
           .topology = vk::PrimitiveTopology::eTriangleList,
@@ -127,29 +58,33 @@ Recipe model_recipe(bool writes_color, bool blends) {
           .sets_culling = true};
 }
 
-Recipe finger_recipe() {
+PipelineRecipe finger_recipe() {
   return {.vertex = spirv::finger_vert(),
           .fragment = spirv::finger_frag(),
-          .bindings = {},
-          .attributes = {},
+          .layout = {},
+          .topology = vk::PrimitiveTopology::eTriangleStrip,
           .tests_depth = true,
           .blends = true};
 }
 
-Recipe line_recipe() {
+PipelineRecipe line_recipe() {
   return {.vertex = spirv::line_vert(),
           .fragment = spirv::line_frag(),
+          .layout = {},
           .bindings = line_bindings,
           .attributes = line_attributes,
+          .topology = vk::PrimitiveTopology::eTriangleStrip,
           .tests_depth = true,
           .blends = true};
 }
 
-Recipe quad_recipe(bool tests_depth) {
+PipelineRecipe quad_recipe(bool tests_depth) {
   return {.vertex = spirv::quad_vert(),
           .fragment = spirv::quad_frag(),
+          .layout = {},
           .bindings = quad_bindings,
           .attributes = quad_attributes,
+          .topology = vk::PrimitiveTopology::eTriangleStrip,
           .tests_depth = tests_depth,
           .blends = true};
 }
@@ -202,14 +137,26 @@ Layouts::Layouts(Device& device)
       pipeline(pipeline_layout(device, *frame, *material)) {}
 
 Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, std::uint32_t view_mask)
-    : color(target),
-      passthrough(make_pipeline({device, layouts, target, view_mask}, passthrough_recipe())),
-      model(make_pipeline({device, layouts, target, view_mask}, model_recipe(true, false))),
-      model_blend(make_pipeline({device, layouts, target, view_mask}, model_recipe(true, true))),
-      model_depth(make_pipeline({device, layouts, target, view_mask}, model_recipe(false, false))),
-      finger(make_pipeline({device, layouts, target, view_mask}, finger_recipe())),
-      line(make_pipeline({device, layouts, target, view_mask}, line_recipe())),
-      quad(make_pipeline({device, layouts, target, view_mask}, quad_recipe(true))),
-      quad_on_top(make_pipeline({device, layouts, target, view_mask}, quad_recipe(false))) {}
+    : Pipelines([&](PipelineRecipe recipe) {
+        recipe.layout = *layouts.pipeline;
+        recipe.color = target;
+        recipe.depth = depth_format;
+        recipe.samples = sample_count;
+        recipe.view_mask = view_mask;
+        return make_graphics_pipeline(device, recipe);
+      }) {
+  color = target;
+}
+
+template <typename Make>
+Pipelines::Pipelines(Make&& make)
+    : passthrough(make(passthrough_recipe())),
+      model(make(model_recipe(true, false))),
+      model_blend(make(model_recipe(true, true))),
+      model_depth(make(model_recipe(false, false))),
+      finger(make(finger_recipe())),
+      line(make(line_recipe())),
+      quad(make(quad_recipe(true))),
+      quad_on_top(make(quad_recipe(false))) {}
 
 }  // namespace onestroke

@@ -20,7 +20,7 @@ struct Layouts {
 struct Pipelines {
   Pipelines(Device& device, const Layouts& layouts, vk::Format color, std::uint32_t view_mask);
 
-  vk::Format color;
+  vk::Format color = vk::Format::eUndefined;
   vk::raii::Pipeline passthrough;
   vk::raii::Pipeline model;        ///< Writes depth; culling and front face are set while recording.
   vk::raii::Pipeline model_blend;  ///< Premultiplied over what is there; does not write depth.
@@ -29,6 +29,10 @@ struct Pipelines {
   vk::raii::Pipeline line;
   vk::raii::Pipeline quad;
   vk::raii::Pipeline quad_on_top;  ///< Without a depth test.
+
+ private:
+  template <typename Make>
+  explicit Pipelines(Make&& make);
 };
 
 }  // namespace onestroke
