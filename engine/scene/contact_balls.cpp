@@ -22,17 +22,20 @@ glm::vec3 position_of(const Model& model, std::size_t index) {
   return glm::make_vec3(model.vertices[model.indices[index]].position.data());
 }
 
-/// The middles of triangles, all or evenly chosen ones.
+/// The middles of triangles of the full detail, all or evenly chosen ones.
 std::vector<SurfacePoint> surface_points(const Model& model) {
-  const std::size_t triangles = model.indices.size() / 3;
-  const std::size_t count = std::min(triangles, most_points);
+  std::size_t triangles = 0;
+  for (const ModelPart& part : model.parts) triangles += part.index_count / 3;
+  const std::size_t step = triangles / most_points + 1;
   std::vector<SurfacePoint> points;
-  points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t first = i * triangles / count * 3;
-    const glm::vec3 a = position_of(model, first), b = position_of(model, first + 1), c = position_of(model, first + 2);
-    points.push_back({(a + b + c) / 3.0F, glm::length(glm::cross(b - a, c - a))});
-  }
+  points.reserve(triangles / step + model.parts.size());
+  for (const ModelPart& part : model.parts)
+    for (std::size_t i = 0; i < part.index_count / 3; i += step) {
+      const std::size_t first = part.first_index + 3 * i;
+      const glm::vec3 a = position_of(model, first), b = position_of(model, first + 1),
+                      c = position_of(model, first + 2);
+      points.push_back({(a + b + c) / 3.0F, glm::length(glm::cross(b - a, c - a))});
+    }
   return points;
 }
 
