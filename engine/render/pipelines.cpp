@@ -149,7 +149,7 @@ Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, 
 }
 
 template <typename Make>
-Pipelines::Pipelines(Make&& make)
+Pipelines::Pipelines(const Make& make)
     : passthrough(make(passthrough_recipe())),
       model(make(model_recipe(true, false))),
       model_blend(make(model_recipe(true, true))),

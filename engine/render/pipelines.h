@@ -32,7 +32,7 @@ struct Pipelines {
 
  private:
   template <typename Make>
-  explicit Pipelines(Make&& make);
+  explicit Pipelines(const Make& make);
 };
 
 }  // namespace onestroke
