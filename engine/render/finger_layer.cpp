@@ -42,6 +42,12 @@ FingerLayer::FingerLayer(Device& device)
 
 void FingerLayer::find(const Picture& picture, std::span<const CoveredCell> cells) {
   matte_.find(picture, cells);
+  for (std::size_t i = 0; i < matte_.fingers().size(); ++i) {
+    const FingerMatte::Finger& f = matte_.fingers()[i];
+    const auto [left, top] = without_lens(picture.intrinsics, f.left, f.top);
+    const auto [right, bottom] = without_lens(picture.intrinsics, f.right, f.bottom);
+    bounds_[i] = {left, top, right, bottom};
+  }
   pending_ = pending_ || !matte_.fingers().empty();
 }
 
@@ -68,20 +74,19 @@ void FingerLayer::record(FrameSlot& slot) {
 }
 
 void FingerLayer::draw(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
-                       const DepthSurface& surface, const Intrinsics& k) const {
+                       const DepthSurface& surface) const {
   if (matte_.fingers().empty()) return;
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.finger);
   const PlaneBounds& b = surface.bounds();
   const double across = (b.right - b.left) / surface.columns_used(), down = (b.bottom - b.top) / surface.rows_used();
-  for (const FingerMatte::Finger& f : matte_.fingers()) {
-    const auto [left, top] = without_lens(k, f.left, f.top);
-    const auto [right, bottom] = without_lens(k, f.right, f.bottom);
+  for (std::size_t i = 0; i < matte_.fingers().size(); ++i) {
+    const auto& [left, top, right, bottom] = bounds_[i];
     // A lens bends the edges of the rectangle by less than a cell.
     const Cells columns = cells_between(left - across, right + across, b.left, across, surface.columns_used());
     const Cells rows = cells_between(top - down, bottom + down, b.top, down, surface.rows_used());
     if (columns.first >= columns.end || rows.first >= rows.end) continue;
     gpu::DrawData data{};
-    data.finger.x = static_cast<float>(f.depth * metres_per_millimetre);
+    data.finger.x = static_cast<float>(matte_.fingers()[i].depth * metres_per_millimetre);
     commands.pushConstants<gpu::DrawData>(
         *layouts.pipeline, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0, data);
     commands.draw(2 * (columns.end - columns.first + 1), rows.end - rows.first, 2 * columns.first, rows.first);

@@ -20,7 +20,7 @@ class FingerLayer {
   void record(FrameSlot& slot);
   /// Between the models and what is written over them.
   void draw(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
-            const DepthSurface& surface, const Intrinsics& intrinsics) const;
+            const DepthSurface& surface) const;
 
   /// The matte, ready for sampling.
   vk::ImageView view() const { return image_.view(); }
@@ -31,6 +31,7 @@ class FingerLayer {
   static constexpr std::size_t slots = frames_in_flight + 1;
 
   FingerMatte matte_;
+  std::array<PlaneBounds, FingerMatte::most_fingers> bounds_;  // of its fingers
   Image image_;
   std::array<Buffer, slots> staging_;
   std::size_t next_ = 0;

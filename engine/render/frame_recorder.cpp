@@ -149,8 +149,7 @@ void FrameRecorder::record_pass(const FrameSlot& slot, const FramePass& pass, st
                               static_cast<std::uint32_t>(pass.views_at));
   if (data_.passthrough) record_passthrough(slot, pipelines);
   models_.record(commands, layouts_, pipelines, eye_of(drawn));
-  if (data_.passthrough && scene.fingers)
-    seen.fingers.draw(commands, layouts_, pipelines, surface_, seen.picture.intrinsics());
+  if (data_.passthrough && scene.fingers) seen.fingers.draw(commands, layouts_, pipelines, surface_);
   record_overlay(slot, pipelines);
   if (views.size() == 1) gui_.record(commands, slot.arena.handle(), views.front().viewport, scene.gui);
   targets_.end_pass(commands, target, static_cast<std::uint32_t>(pass.first_view));

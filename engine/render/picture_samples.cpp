@@ -1,5 +1,7 @@
 #include "render/picture_samples.h"
 
+#include "core/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,12 +59,8 @@ int brightness_at(const Picture& p, int x, int y) {
   return row[x];
 }
 
-float linear_of(float coded) {
-  return coded <= 0.04045F ? coded / 12.92F : std::pow((coded + 0.055F) / 1.055F, 2.4F);
-}
-
 Rgb linear_of(const Rgb& coded) {
-  return {linear_of(coded[0]), linear_of(coded[1]), linear_of(coded[2])};
+  return {linear_from_srgb(coded[0]), linear_from_srgb(coded[1]), linear_from_srgb(coded[2])};
 }
 
 float noise_of(const Picture& p) {

@@ -15,7 +15,6 @@ Rgb coded_at(const Picture& picture, int x, int y);
 int brightness_at(const Picture& picture, int x, int y);
 
 /// From sRGB's code to linear light, both 0 to 1.
-float linear_of(float coded);
 Rgb linear_of(const Rgb& coded);
 
 /// How much of a colour's light the eye sees as brightness (Rec. 709).

@@ -172,22 +172,11 @@ void PictureStore::record_lens(FrameSlot& slot) {
       halves.push_back(glm::packHalf2x16({lens_map_.shifts[i], lens_map_.shifts[i + 1]}));
     bytes = std::as_bytes(std::span(halves));
   }
-  Buffer staging(device_, bytes.size(), vk::BufferUsageFlagBits::eTransferSrc, MemoryPool::Use::upload);
-  std::memcpy(staging.mapped(), bytes.data(), bytes.size());
   slot.graveyard.bury(std::move(lens_));
-  lens_ = Image(device_, {.format = lens_format_,
-                          .width = LensMap::width,
-                          .height = LensMap::height,
-                          .usage = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst});
-  image_barrier(slot.commands, lens_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, {},
-                {Stage::eAllTransfer, Reach::eTransferWrite});
-  slot.commands.copyBufferToImage(
-      staging.handle(), lens_.handle(), Layout::eTransferDstOptimal,
-      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
-                          .imageExtent = {LensMap::width, LensMap::height, 1}});
-  image_barrier(slot.commands, lens_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal},
-                {Stage::eAllTransfer, Reach::eTransferWrite}, {Stage::eFragmentShader, Reach::eShaderSampledRead});
-  slot.graveyard.bury(std::move(staging));
+  const auto upload = std::make_shared<Upload>(device_);
+  lens_ = upload->image({.format = lens_format_, .width = LensMap::width, .height = LensMap::height}, bytes);
+  upload->record(slot.commands);
+  slot.graveyard.bury(upload);
 }
 
 void PictureStore::write_set(vk::DescriptorSet set, vk::Buffer bytes) {

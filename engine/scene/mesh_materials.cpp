@@ -1,6 +1,7 @@
 #include "scene/mesh_materials.h"
 
 #include "core/error.h"
+#include "core/srgb.h"
 #include "scene/file_bytes.h"
 #include "scene/image_file.h"
 
@@ -22,8 +23,7 @@ float share(float x) {
 }
 
 float linear(float srgb) {
-  const float s = share(srgb);
-  return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
+  return linear_from_srgb(share(srgb));
 }
 
 std::optional<float> number(const aiMaterial& m, const char* key, unsigned type, unsigned index) {

@@ -1,5 +1,7 @@
 #include "tracking/rod_raster.h"
 
+#include "core/srgb.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -23,7 +25,7 @@ const std::array<float, 256>& linear_light() {
     std::array<float, 256> t;
     for (std::size_t i = 0; i < t.size(); ++i) {
       const double v = static_cast<double>(i) / 255;
-      t[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+      t[i] = static_cast<float>(linear_from_srgb(v));
     }
     return t;
   }();

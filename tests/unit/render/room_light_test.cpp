@@ -1,5 +1,7 @@
 #include "render/room_light.h"
 
+#include "core/srgb.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -92,7 +94,7 @@ TEST(RoomLight, IsTwiceAsBrightInARoomThatIs) {
   constexpr float low = 77.0F / 255, high = 153.0F / 255;
   const auto dim = light_of([](int, int) { return Rgb{low, low, low}; });
   const auto bright = light_of([](int, int) { return Rgb{high, high, high}; });
-  const float ratio = linear_of(high) / linear_of(low);
+  const float ratio = linear_from_srgb(high) / linear_from_srgb(low);
   for (const glm::vec3& n : sides) EXPECT_NEAR(matt(*bright, n).x / matt(*dim, n).x, ratio, 0.05);
 }
 
@@ -135,7 +137,7 @@ TEST(RoomLight, FollowsTheExposureWhereItDoesNotLook) {
     dark.picture.exposure.start.ns = 200'000'000L * i;
     light->see(dark.picture);
   }
-  EXPECT_NEAR(matt(*light, {0, 0, 1}).x / before, linear_of(0.25F) / linear_of(0.5F), 0.05);
+  EXPECT_NEAR(matt(*light, {0, 0, 1}).x / before, linear_from_srgb(0.25F) / linear_from_srgb(0.5F), 0.05);
 }
 
 TEST(RoomLight, KeepsItsEnergyFromSharpToBlurred) {
