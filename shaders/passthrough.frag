@@ -2,6 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "picture.glsl"
 
+// Off where there is nothing but picture.
+layout(constant_id = CONSTANT_EDGE) const bool edge = true;
+
 layout(location = 0) in vec3 position;
 
 layout(location = 0) out vec4 color;
@@ -12,11 +15,10 @@ const float glow = 0.07, border_width = 0.006, glow_width = 0.1;
 
 void main() {
   vec2 uv = picture_at(position);
-  vec2 outside = max(abs(uv - 0.5) - 0.5, 0.0) * vec2(scene.picture_shape.x, 1.0);
   vec3 seen = textureLod(picture, uv, 0.0).rgb;
-  float far = max(outside.x, outside.y);
-  if (far > 0.0) {
-    far = length(outside);
+  if (edge) {
+    vec2 outside = max(abs(uv - 0.5) - 0.5, 0.0) * vec2(scene.picture_shape.x, 1.0);
+    float far = length(outside);
     float share = mix(1.0, glow, smoothstep(0.0, border_width, far)) * (1.0 - smoothstep(0.0, glow_width, far));
     seen = mix(surround, seen, share);
   }

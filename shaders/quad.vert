@@ -14,14 +14,27 @@ layout(location = 1) flat out vec4 out_uv;
 layout(location = 2) flat out vec4 out_color;
 layout(location = 3) flat out float out_kind;
 
+vec4 clip_at(vec2 corner) {
+  vec3 p = origin.xyz + corner.x * edge_x.xyz + corner.y * edge_y.xyz;
+  if (origin.w > 0.5) return vec4(p.xy / view.viewport.zw * 2.0 - 1.0, 1.0, 1.0);
+  return view.clip_from_world * vec4(p, 1.0);
+}
+
+vec2 pixel_at(vec2 corner) {
+  vec4 clip = clip_at(corner);
+  return clip.xy / clip.w * view.viewport.zw * 0.5;
+}
+
 void main() {
   vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);
-  vec3 p = origin.xyz + corner.x * edge_x.xyz + corner.y * edge_y.xyz;
-  if (origin.w > 0.5)
-    gl_Position = vec4(p.xy / view.viewport.zw * 2.0 - 1.0, 1.0, 1.0);
-  else
-    gl_Position = view.clip_from_world * vec4(p, 1.0);
   bool glyph = shape.x > 0.5;
+  if (!glyph) {
+    // A pixel more on every side, in which the plate's edge fades.
+    vec2 first = pixel_at(vec2(0.0));
+    vec2 size = vec2(distance(first, pixel_at(vec2(1.0, 0.0))), distance(first, pixel_at(vec2(0.0, 1.0))));
+    corner += (2.0 * corner - 1.0) / max(size, 1.0);
+  }
+  gl_Position = clip_at(corner);
   out_at = glyph ? mix(uv.xy, uv.zw, corner) : (corner - 0.5) * uv.xy;
   out_uv = uv;
   out_color = color;

@@ -25,12 +25,17 @@ using glm::vec4;
 #define BINDING_LENS 5
 #define BINDING_ROOM 6
 #define BINDING_FINGERS 7
+#define BINDING_FOREGROUND 8
 #define BINDING_MATERIAL 0
 #define BINDING_BASE_COLOR 1
 #define BINDING_METALLIC_ROUGHNESS 2
 #define BINDING_NORMAL 3
 #define BINDING_OCCLUSION 4
 #define BINDING_EMISSIVE 5
+
+// Specialisation constants.
+#define CONSTANT_LENS 0
+#define CONSTANT_EDGE 1
 
 // Reach of the glyph atlas's distance field either side of an outline, texels.
 #define ATLAS_SPREAD 6.0
@@ -53,7 +58,7 @@ using glm::vec4;
 // The last level of the room's cube map, that of roughness 1.
 #define ROOM_LAST_LEVEL 5.0
 
-// UnpackData.size.z
+// The specialisation constant 0 of unpack.frag.
 #define UNPACK_RGB8 0
 #define UNPACK_GRAY8 1
 #define UNPACK_NV12 2
@@ -70,7 +75,8 @@ struct ViewData {
 // What all views of a frame share.
 struct SceneData {
   // The passthrough surface. Points of it are named by what an ideal lens would show them at: n = (x, y) / z.
-  vec4 surface;            // n of the first corner of the grid, n from one to the next
+  vec4 surface;            // n of the picture's first corner of the grid, n from one to the next
+  vec4 surface_around;     // n of the outermost corners: left, top, right, bottom
   vec4 surface_grid;       // cells across, cells down, 0, 0
   vec4 picture_intrinsic;  // fx, fy, cx, cy over the picture's size
   vec4 lens_map;           // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
@@ -115,18 +121,17 @@ struct LineData {
   vec4 color;  // linear, not premultiplied
 };
 
-// Unpacking a camera picture: push constants. Rows start on a word of four bytes.
+// Unpacking a camera picture: push constants.
 struct UnpackData {
-  uvec4 size;     // width, height, UNPACK_*, 0
-  uvec4 layout_;  // words a row of plane 0, first word of plane 1, words a row of plane 1, 0
+  uvec4 size;  // rows of the first plane, 0, 0, 0
 };
 
 #ifdef __cplusplus
 static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 160);
-static_assert(offsetof(SceneData, key_direction) == 80 && sizeof(SceneData) == 800);
+static_assert(offsetof(SceneData, key_direction) == 96 && sizeof(SceneData) == 816);
 static_assert(sizeof(DrawData) == 112 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 &&
               sizeof(LineData) == 48);
-static_assert(sizeof(UnpackData) == 32);
+static_assert(sizeof(UnpackData) == 16);
 }  // namespace onestroke::gpu
 #endif
 

@@ -6,6 +6,8 @@ namespace {
 
 #include "finger_frag.spv.h"
 #include "finger_vert.spv.h"
+#include "foreground_frag.spv.h"
+#include "full_screen_vert.spv.h"
 #include "imgui_frag.spv.h"
 #include "imgui_vert.spv.h"
 #include "line_frag.spv.h"
@@ -15,10 +17,9 @@ namespace {
 #include "passthrough_frag.spv.h"
 #include "passthrough_vert.spv.h"
 #include "probe_frag.spv.h"
-#include "probe_vert.spv.h"
 #include "quad_frag.spv.h"
 #include "quad_vert.spv.h"
-#include "unpack_comp.spv.h"
+#include "unpack_frag.spv.h"
 
 }  // namespace
 
@@ -34,14 +35,17 @@ std::span<const std::uint32_t> finger_vert() {
 std::span<const std::uint32_t> finger_frag() {
   return finger_frag_words;
 }
-std::span<const std::uint32_t> probe_vert() {
-  return probe_vert_words;
+std::span<const std::uint32_t> full_screen_vert() {
+  return full_screen_vert_words;
+}
+std::span<const std::uint32_t> foreground_frag() {
+  return foreground_frag_words;
 }
 std::span<const std::uint32_t> probe_frag() {
   return probe_frag_words;
 }
-std::span<const std::uint32_t> unpack_comp() {
-  return unpack_comp_words;
+std::span<const std::uint32_t> unpack_frag() {
+  return unpack_frag_words;
 }
 std::span<const std::uint32_t> model_vert() {
   return model_vert_words;

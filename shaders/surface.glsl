@@ -4,8 +4,15 @@
 // 1 / z of the surface at the corners of its grid, rows from the top; 1 / metres.
 layout(set = 0, binding = BINDING_SURFACE, std430) readonly buffer Surface { float inverse_depths[]; };
 
-// Camera frame, vision axes, metres.
+float place_on(int i, int cells, float from, float step, float outer_from, float outer_to) {
+  return i == 0 ? outer_from : i == cells ? outer_to : from + float(i - 1) * step;
+}
+
+// Camera frame, vision axes, metres. See SurfaceAxis.
 vec3 surface_position(int column, int row) {
-  float z = 1.0 / inverse_depths[row * (int(scene.surface_grid.x) + 1) + column];
-  return vec3((scene.surface.xy + vec2(column, row) * scene.surface.zw) * z, z);
+  ivec2 cells = ivec2(scene.surface_grid.xy);
+  float z = 1.0 / inverse_depths[row * (cells.x + 1) + column];
+  return vec3(place_on(column, cells.x, scene.surface.x, scene.surface.z, scene.surface_around.x, scene.surface_around.z),
+              place_on(row, cells.y, scene.surface.y, scene.surface.w, scene.surface_around.y, scene.surface_around.w),
+              1.0) * z;
 }

@@ -30,6 +30,20 @@ Vec3 held_back(Vec3 from, Vec3 to) {
 
 }  // namespace
 
+double SurfaceAxis::at(int i) const {
+  if (i == 0) return outer_from;
+  return i == cells ? outer_to : from + (i - 1) * step();
+}
+
+double SurfaceAxis::cell_of(double place) const {
+  const auto share = [place](double begin, double end) {
+    return end > begin ? std::clamp((place - begin) / (end - begin), 0.0, 1.0) : 0;
+  };
+  if (place < from) return share(outer_from, from);
+  if (place < to) return 1 + share(from, to) * (cells - 2);
+  return cells - 1 + share(to, outer_to);
+}
+
 std::size_t chain_segments(std::span<const Vec3> points, double weight, std::span<DepthSegment> segments) {
   if (points.size() < 2) return 0;
   std::size_t count = 0;
@@ -81,8 +95,8 @@ void DepthSurface::add(const DepthSegment& s, std::size_t settled) {
   segments_[known_++] = {ax, ay, dx, dy, length2 > 0 ? 1 / length2 : 0, from, to - from};
 }
 
-void DepthSurface::build(const PlaneBounds& bounds, std::span<const DepthSegment> segments, double distance) {
-  bounds_ = bounds;
+void DepthSurface::build(const PlaneBounds& inside, const PlaneBounds& around, std::span<const DepthSegment> segments,
+                         double distance) {
   far_ = 1 / distance;
   known_ = 0;
   for (const DepthSegment& s : segments)
@@ -90,8 +104,8 @@ void DepthSurface::build(const PlaneBounds& bounds, std::span<const DepthSegment
   const std::size_t settled = known_;
   for (const DepthSegment& s : segments)
     if (s.weight < 1) add(s, settled);
-  columns_used_ = known_ == 0 ? 1 : columns;
-  rows_used_ = known_ == 0 ? 1 : rows;
+  across_ = {around.left, inside.left, inside.right, around.right, known_ == 0 ? 3 : columns};
+  down_ = {around.top, inside.top, inside.bottom, around.bottom, known_ == 0 ? 3 : rows};
   fill();
   for (const DepthSegment& s : segments) {
     if (s.pin == DepthSegment::Pin::none || !counts(s)) continue;
@@ -102,23 +116,19 @@ void DepthSurface::build(const PlaneBounds& bounds, std::span<const DepthSegment
 
 void DepthSurface::fill() {
   std::size_t at = 0;
-  for (int row = 0; row <= rows_used_; ++row)
-    for (int column = 0; column <= columns_used_; ++column) {
-      const double x = bounds_.left + (bounds_.right - bounds_.left) * column / columns_used_;
-      const double y = bounds_.top + (bounds_.bottom - bounds_.top) * row / rows_used_;
-      values_[at++] = static_cast<float>(inverse_depth(x, y) / metres_per_millimetre);
-    }
+  for (int row = 0; row <= down_.cells; ++row)
+    for (int column = 0; column <= across_.cells; ++column)
+      values_[at++] = static_cast<float>(inverse_depth(across_.at(column), down_.at(row)) / metres_per_millimetre);
 }
 
 // 1 / depth is affine over each of a cell's two triangles, which share the edge from bottom left to top right. The
 // three corners move in proportion to their share in the place.
 void DepthSurface::pin(double x, double y, double q) {
-  const double u = (x - bounds_.left) / (bounds_.right - bounds_.left) * columns_used_;
-  const double v = (y - bounds_.top) / (bounds_.bottom - bounds_.top) * rows_used_;
-  if (!(u >= 0 && v >= 0 && u < columns_used_ && v < rows_used_)) return;
+  const double u = across_.cell_of(x), v = down_.cell_of(y);
+  if (!(u > 0 && v > 0 && u < across_.cells && v < down_.cells)) return;
   const int column = static_cast<int>(u), row = static_cast<int>(v);
   const double s = u - column, t = v - row;
-  const auto corner = [this](int r, int c) { return static_cast<std::size_t>(r * (columns_used_ + 1) + c); };
+  const auto corner = [this](int r, int c) { return static_cast<std::size_t>(r * (across_.cells + 1) + c); };
   const bool upper = s + t < 1;
   const std::array corners{upper ? corner(row, column) : corner(row + 1, column + 1), corner(row, column + 1),
                            corner(row + 1, column)};

@@ -22,6 +22,18 @@ struct DepthSegment {
 /// keeps its depth and is pinned: no picture can be bent as sharply as a stick that points at the camera.
 std::size_t chain_segments(std::span<const Vec3> points, double weight, std::span<DepthSegment> segments);
 
+/// One axis of the surface's grid. The first cell and the last lie round the picture, the others divide it evenly.
+struct SurfaceAxis {
+  double outer_from = 0, from = 0, to = 0, outer_to = 0;  ///< In the plane z = 1.
+  int cells = 3;
+
+  double step() const { return (to - from) / (cells - 2); }
+  /// Where cell i begins; its end is where the next begins.
+  double at(int i) const;
+  /// The cell with a place in it, and its share of the way through as the fraction; beyond the grid that of its edge.
+  double cell_of(double place) const;
+};
+
 /// The surface that the camera's picture lies on: depth as a smooth function of the direction from the camera. It runs
 /// through the segments, which removes the parallax between camera and eye there, and far from them to a set distance.
 /// Between segments 1 / depth is their mean by Shepard's inverse distance weights, distance being that to the segment
@@ -32,18 +44,19 @@ class DepthSurface {
   /// More are left out.
   static constexpr std::size_t most_segments = 64;
 
-  /// The distance is that far from every segment, mm. Where every direction has the same depth, there is one cell.
-  void build(const PlaneBounds& bounds, std::span<const DepthSegment> segments, double distance);
+  /// `inside` is where there is nothing but picture; the surface goes on as far as `around`. The distance is that far
+  /// from every segment, mm. Where every direction has the same depth, the picture is one cell.
+  void build(const PlaneBounds& inside, const PlaneBounds& around, std::span<const DepthSegment> segments,
+             double distance);
 
   /// 1 / depth at a point of the plane z = 1, 1 / mm, of what was built last.
   double inverse_depth(double x, double y) const { return inverse_depth(x, y, known_); }
 
-  const PlaneBounds& bounds() const { return bounds_; }
-  int columns_used() const { return columns_used_; }
-  int rows_used() const { return rows_used_; }
+  const SurfaceAxis& across() const { return across_; }
+  const SurfaceAxis& down() const { return down_; }
   /// At the corners of the cells, rows from the top, left to right; 1 / metres.
   std::span<const float> inverse_depths() const {
-    return {values_.data(), static_cast<std::size_t>((columns_used_ + 1) * (rows_used_ + 1))};
+    return {values_.data(), static_cast<std::size_t>((across_.cells + 1) * (down_.cells + 1))};
   }
 
  private:
@@ -57,11 +70,10 @@ class DepthSurface {
   void pin(double x, double y, double q);
   void add(const DepthSegment& segment, std::size_t settled);
 
-  PlaneBounds bounds_;
+  SurfaceAxis across_, down_;
   double far_ = 0;  // 1 / distance
   std::array<Known, most_segments> segments_{};
   std::size_t known_ = 0;
-  int columns_used_ = 1, rows_used_ = 1;
   std::array<float, std::size_t{columns + 1} * (rows + 1)> values_{};
 };
 

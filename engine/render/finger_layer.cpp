@@ -22,11 +22,10 @@ struct Cells {
   std::uint32_t first, end;
 };
 
-Cells cells_between(double from, double to, double first, double step, int count) {
-  const auto clamped = [count](double at) {
-    return static_cast<std::uint32_t>(std::clamp(at, 0.0, static_cast<double>(count)));
-  };
-  return {clamped(std::floor((from - first) / step)), clamped(std::ceil((to - first) / step))};
+// A lens bends the edges of a finger's rectangle by less than a cell.
+Cells cells_between(double from, double to, const SurfaceAxis& axis) {
+  return {static_cast<std::uint32_t>(std::max(std::floor(axis.cell_of(from)) - 1, 0.0)),
+          static_cast<std::uint32_t>(std::min(std::ceil(axis.cell_of(to)) + 1, static_cast<double>(axis.cells)))};
 }
 
 }  // namespace
@@ -77,13 +76,10 @@ void FingerLayer::draw(const vk::raii::CommandBuffer& commands, const Layouts& l
                        const DepthSurface& surface) const {
   if (matte_.fingers().empty()) return;
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.finger);
-  const PlaneBounds& b = surface.bounds();
-  const double across = (b.right - b.left) / surface.columns_used(), down = (b.bottom - b.top) / surface.rows_used();
   for (std::size_t i = 0; i < matte_.fingers().size(); ++i) {
     const auto& [left, top, right, bottom] = bounds_[i];
-    // A lens bends the edges of the rectangle by less than a cell.
-    const Cells columns = cells_between(left - across, right + across, b.left, across, surface.columns_used());
-    const Cells rows = cells_between(top - down, bottom + down, b.top, down, surface.rows_used());
+    const Cells columns = cells_between(left, right, surface.across());
+    const Cells rows = cells_between(top, bottom, surface.down());
     if (columns.first >= columns.end || rows.first >= rows.end) continue;
     gpu::DrawData data{};
     data.finger.x = static_cast<float>(matte_.fingers()[i].depth * metres_per_millimetre);

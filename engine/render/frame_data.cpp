@@ -13,13 +13,13 @@ gpu::vec4 vec4_of(double x, double y, double z, double w) {
 }
 
 void place_picture(gpu::SceneData& data, const PictureStore& picture, const DepthSurface& surface) {
-  const PlaneBounds& b = surface.bounds();
-  const int columns = surface.columns_used(), rows = surface.rows_used();
+  const SurfaceAxis &across = surface.across(), &down = surface.down();
   const Intrinsics& k = picture.intrinsics();
   const double width = std::max(picture.width(), 1), height = std::max(picture.height(), 1);
   const auto& lens = picture.lens_placement();
-  data.surface = vec4_of(b.left, b.top, (b.right - b.left) / columns, (b.bottom - b.top) / rows);
-  data.surface_grid = vec4_of(columns, rows, 0, 0);
+  data.surface = vec4_of(across.from, down.from, across.step(), down.step());
+  data.surface_around = vec4_of(across.outer_from, down.outer_from, across.outer_to, down.outer_to);
+  data.surface_grid = vec4_of(across.cells, down.cells, 0, 0);
   data.picture_intrinsic = vec4_of(k.fx / width, k.fy / height, k.cx / width, k.cy / height);
   data.lens_map = {lens[0], lens[1], lens[2], lens[3]};
   data.picture_shape = vec4_of(width / height, 0, 0, 0);
@@ -61,13 +61,14 @@ std::span<const T> one(const T& item) {
 
 }  // namespace
 
-void plan_passes(FrameData& data, std::span<const View> views, bool together) {
+void plan_passes(FrameData& data, std::span<const View> views, bool together, const Pose& T_world_camera) {
+  const std::size_t at_once = together ? views.size() : 1;
   data.pass_count = 0;
-  if (together) {
-    data.passes[data.pass_count++] = {.view_mask = (1U << views.size()) - 1};
-    return;
+  for (std::size_t first = 0; first < views.size(); first += at_once) {
+    FramePass& pass = data.passes[data.pass_count++];
+    pass = {.view_mask = together ? (1U << views.size()) - 1 : 0, .first_view = first, .view_count = at_once};
+    for (std::size_t i = 0; i < at_once; ++i) pass.views[i] = view_data(views[first + i], T_world_camera);
   }
-  for (std::size_t i = 0; i < views.size(); ++i) data.passes[data.pass_count++] = {.first_view = i};
 }
 
 void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts& parts) {
@@ -78,13 +79,8 @@ void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts&
   arena.begin(device, max_views * (PASS_VIEWS * sizeof(gpu::ViewData) + largest_gap) + sizeof(gpu::SceneData) +
                           parts.surface.inverse_depths().size_bytes() + parts.overlay.quads().size_bytes() +
                           parts.overlay.lines().size_bytes() + 4 * largest_gap + ImguiPass::bytes_of(parts.scene.gui));
-  for (FramePass& pass : std::span(data.passes).first(data.pass_count)) {
-    std::array<gpu::ViewData, PASS_VIEWS> seen{};
-    const std::size_t count = pass.view_mask ? parts.views.size() : 1;
-    for (std::size_t i = 0; i < count; ++i)
-      seen[i] = view_data(parts.views[pass.first_view + i], parts.picture.T_world_camera());
-    pass.views_at = arena.put(std::span<const gpu::ViewData>(seen), alignment);
-  }
+  for (FramePass& pass : std::span(data.passes).first(data.pass_count))
+    pass.views_at = arena.put(std::span<const gpu::ViewData>(pass.views), alignment);
   const gpu::SceneData shared = scene_data(parts);
   data.scene_at = arena.put(one(shared), alignment);
   data.surface_bytes = parts.surface.inverse_depths().size_bytes();

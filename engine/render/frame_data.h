@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/depth_surface.h"
+#include "render/frame_pass.h"
 #include "render/frame_ring.h"
 #include "render/frame_scene.h"
 #include "render/imgui_pass.h"
@@ -11,13 +12,6 @@
 
 namespace onestroke {
 
-/// One drawing of some views: all of them at once, or one alone.
-struct FramePass {
-  std::uint32_t view_mask = 0;  ///< A bit for every view that is drawn at once; 0 for one alone.
-  std::size_t first_view = 0;
-  std::uint64_t views_at = 0;  ///< Where its gpu::ViewData begin in the arena.
-};
-
 /// What a frame's shaders read: written to the frame's arena, and where it lies there. Offsets in bytes.
 struct FrameData {
   std::array<FramePass, max_views> passes;
@@ -26,8 +20,9 @@ struct FrameData {
   std::uint64_t scene_at = 0, surface_at = 0, surface_bytes = 0, quads_at = 0, lines_at = 0;
 };
 
-/// Splits the views into passes: together in one where that can be, otherwise one for each.
-void plan_passes(FrameData& data, std::span<const View> views, bool together);
+/// Splits the views into passes: together in one where that can be, otherwise one for each. T_world_camera is where the
+/// picture was taken.
+void plan_passes(FrameData& data, std::span<const View> views, bool together, const Pose& T_world_camera);
 
 /// What goes into the arena.
 struct FrameParts {

@@ -33,11 +33,14 @@ vk::raii::Sampler make_sampler(Device& device) {
                                     .maxLod = VK_LOD_CLAMP_NONE});
 }
 
-void set_viewport(const vk::raii::CommandBuffer& commands, const Viewport& v) {
-  const auto width = static_cast<std::uint32_t>(v.width), height = static_cast<std::uint32_t>(v.height);
+vk::Rect2D area_of(const Viewport& v) {
+  return {{v.x, v.y}, {static_cast<std::uint32_t>(v.width), static_cast<std::uint32_t>(v.height)}};
+}
+
+void set_viewport(const vk::raii::CommandBuffer& commands, const Viewport& v, vk::Rect2D scissor) {
   commands.setViewport(0, vk::Viewport{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.width),
                                        static_cast<float>(v.height), 0.0F, 1.0F});
-  commands.setScissor(0, vk::Rect2D{{v.x, v.y}, {width, height}});
+  commands.setScissor(0, scissor);
 }
 
 /// Where blended surfaces are sorted from: the middle of the views of a pass.
@@ -81,9 +84,23 @@ const Pipelines& FrameRecorder::pipelines_for(const RenderTarget& target, std::u
   return *pipelines;
 }
 
-void FrameRecorder::build_surface(const FrameScene& scene, const PictureStore& picture) {
+void FrameRecorder::build_surface(const FrameScene& scene, std::span<const View> views, const PictureStore& picture) {
   data_.passthrough = picture.shown() && scene.passthrough_distance;
-  if (data_.passthrough) surface_.build(picture.bounds(), scene.passthrough_segments, *scene.passthrough_distance);
+  if (!data_.passthrough) return;
+  // From the camera's own place every depth looks the same.
+  constexpr double same_place = 1e-3;  // mm
+  const bool aside = std::ranges::any_of(views, [&picture](const View& v) {
+    return norm(v.T_world_view.translation - picture.T_world_camera().translation) > same_place;
+  });
+  const auto segments = aside ? scene.passthrough_segments : std::span<const DepthSegment>{};
+  surface_.build(picture.inside(), picture.bounds(), segments, *scene.passthrough_distance);
+}
+
+void FrameRecorder::find_foreground(FramePass& pass) const {
+  ScreenBounds bounds(std::span(pass.views).first(pass.view_count));
+  models_.add_to(bounds);
+  overlay_.add_to(bounds);
+  pass.foreground = bounds.area();
 }
 
 void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
@@ -96,10 +113,11 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
     return vk::DescriptorImageInfo{*sampler_, view, Layout::eShaderReadOnlyOptimal};
   };
   const std::array images{sampled(seen.picture.view()), sampled(glyphs_.view()), sampled(seen.picture.lens_view()),
-                          sampled(seen.lighting.view()), sampled(seen.fingers.view())};
+                          sampled(seen.lighting.view()), sampled(seen.fingers.view()), sampled(targets_.foreground())};
   // The images have neighbouring bindings, so one write fills them all.
   static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2 &&
-                BINDING_ROOM == BINDING_PICTURE + 3 && BINDING_FINGERS == BINDING_PICTURE + 4);
+                BINDING_ROOM == BINDING_PICTURE + 3 && BINDING_FINGERS == BINDING_PICTURE + 4 &&
+                BINDING_FOREGROUND == BINDING_PICTURE + 5);
   const auto buffer_write = [&](std::uint32_t binding, Type type, const vk::DescriptorBufferInfo& info) {
     return vk::WriteDescriptorSet{
         .dstSet = slot.set, .dstBinding = binding, .descriptorCount = 1, .descriptorType = type, .pBufferInfo = &info};
@@ -117,69 +135,92 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
                            const RenderTarget& target, const Seen& seen) {
-  plan_passes(data_, views, can_draw_together(views));
-  const std::uint32_t view_mask = data_.passes.front().view_mask;
-  const bool by_layer = view_mask == 0 && target.layers > 1;
-  targets_.fit(target, by_layer ? FrameTargets::Way::by_layer : FrameTargets::Way::at_once, slot.graveyard);
+  plan_passes(data_, views, can_draw_together(views), seen.picture.T_world_camera());
+  targets_.fit(target, static_cast<std::uint32_t>(data_.passes.front().view_count), slot.graveyard);
   models_.prepare(scene.instances, views);
   overlay_.build(scene, views);
   seen.picture.record(slot);
   seen.lighting.record(slot, scene);
   seen.fingers.record(slot);
-  build_surface(scene, seen.picture);
+  build_surface(scene, views, seen.picture);
   fill_arena(data_, device_, slot.arena,
              {scene, views, seen.picture, seen.lighting.light(), surface_, overlay_, models_.balls(),
               seen.fingers.matte_from_picture(seen.picture.width(), seen.picture.height())});
   gui_.put(slot.arena, scene.gui);
   write_set(slot, seen);
-  targets_.open(slot.commands, target);
-  for (const FramePass& pass : std::span(data_.passes).first(data_.pass_count))
-    record_pass(slot, pass, views, target, scene, seen);
-  targets_.close(slot.commands, target);
+  FrameTargets::open(slot.commands, target);
+  for (FramePass& pass : std::span(data_.passes).first(data_.pass_count)) {
+    const auto drawn = views.subspan(pass.first_view, pass.view_count);
+    const Pipelines& pipelines = pipelines_for(target, pass.view_mask);
+    find_foreground(pass);
+    slot.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts_.pipeline, 0, slot.set,
+                                     static_cast<std::uint32_t>(pass.views_at));
+    if (pass.foreground.extent.width > 0) record_foreground(slot, pass, pipelines, drawn, scene, seen);
+    record_picture(slot, pass, pipelines, drawn, target, scene, seen);
+    if (views.size() == 1) gui_.record(slot.commands, slot.arena.handle(), drawn.front().viewport, scene.gui);
+    slot.commands.endRendering();
+  }
+  FrameTargets::close(slot.commands, target);
 }
 
-void FrameRecorder::record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
-                                const RenderTarget& target, const FrameScene& scene, const Seen& seen) {
+void FrameRecorder::record_foreground(const FrameSlot& slot, const FramePass& pass, const Pipelines& pipelines,
+                                      std::span<const View> drawn, const FrameScene& scene, const Seen& seen) {
   const auto& commands = slot.commands;
-  const Pipelines& pipelines = pipelines_for(target, pass.view_mask);
-  const auto drawn = pass.view_mask ? views : views.subspan(pass.first_view, 1);
-  targets_.begin_pass(commands, target, pass.view_mask, data_.passthrough ? surround : scene.background);
-  set_viewport(commands, drawn.front().viewport);
-  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts_.pipeline, 0, slot.set,
-                              static_cast<std::uint32_t>(pass.views_at));
-  if (data_.passthrough) record_passthrough(slot, pipelines);
+  targets_.begin_foreground(commands, pass);
+  set_viewport(commands, drawn.front().viewport, pass.foreground);
   models_.record(commands, layouts_, pipelines, eye_of(drawn));
   if (data_.passthrough && scene.fingers) seen.fingers.draw(commands, layouts_, pipelines, surface_);
-  record_overlay(slot, pipelines);
-  if (views.size() == 1) gui_.record(commands, slot.arena.handle(), views.front().viewport, scene.gui);
-  targets_.end_pass(commands, target, static_cast<std::uint32_t>(pass.first_view));
-}
-
-void FrameRecorder::record_passthrough(const FrameSlot& slot, const Pipelines& pipelines) const {
-  slot.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.passthrough);
-  const auto columns = static_cast<std::uint32_t>(surface_.columns_used());
-  slot.commands.draw(2 * (columns + 1), static_cast<std::uint32_t>(surface_.rows_used()), 0, 0);
-}
-
-void FrameRecorder::record_overlay(const FrameSlot& slot, const Pipelines& pipelines) const {
-  const auto& commands = slot.commands;
-  const auto bind = vk::PipelineBindPoint::eGraphics;
   if (const auto count = static_cast<std::uint32_t>(overlay_.lines().size())) {
-    commands.bindPipeline(bind, *pipelines.line);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.line);
     commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{data_.lines_at});
     commands.draw(4, count, 0, 0);
   }
-  const auto count = static_cast<std::uint32_t>(overlay_.quads().size()), tested = overlay_.tested();
-  if (count == 0) return;
-  commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{data_.quads_at});
-  if (tested > 0) {
-    commands.bindPipeline(bind, *pipelines.quad);
-    commands.draw(4, tested, 0, 0);
+  record_quads(slot, *pipelines.quad, 0, overlay_.tested());
+  targets_.end_foreground(commands);
+}
+
+void FrameRecorder::record_picture(const FrameSlot& slot, const FramePass& pass, const Pipelines& pipelines,
+                                   std::span<const View> drawn, const RenderTarget& target, const FrameScene& scene,
+                                   const Seen& seen) const {
+  const auto& commands = slot.commands;
+  const Viewport& viewport = drawn.front().viewport;
+  FrameTargets::begin_picture(commands, target, pass, area_of(viewport),
+                              data_.passthrough ? surround : scene.background);
+  set_viewport(commands, viewport, area_of(viewport));
+  if (data_.passthrough) record_passthrough(slot, pipelines, seen.picture.ideal_lens());
+  if (pass.foreground.extent.width > 0) {
+    commands.setScissor(0, pass.foreground);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.foreground);
+    commands.draw(3, 1, 0, 0);
+    commands.setScissor(0, area_of(viewport));
   }
-  if (count > tested) {
-    commands.bindPipeline(bind, *pipelines.quad_on_top);
-    commands.draw(4, count - tested, 0, tested);
-  }
+  record_quads(slot, *pipelines.quad_on_top, overlay_.tested(), static_cast<std::uint32_t>(overlay_.quads().size()));
+}
+
+void FrameRecorder::record_passthrough(const FrameSlot& slot, const Pipelines& pipelines, bool ideal_lens) const {
+  const auto& commands = slot.commands;
+  const auto columns = static_cast<std::uint32_t>(surface_.across().cells);
+  const auto rows = static_cast<std::uint32_t>(surface_.down().cells);
+  // A row of cells is an instance, two vertices begin a column.
+  const auto draw = [&commands](std::uint32_t column, std::uint32_t row, std::uint32_t across, std::uint32_t down) {
+    commands.draw(2 * (across + 1), down, 2 * column, row);
+  };
+  const auto bind = vk::PipelineBindPoint::eGraphics;
+  commands.bindPipeline(bind, ideal_lens ? *pipelines.passthrough : *pipelines.passthrough_lens);
+  draw(1, 1, columns - 2, rows - 2);
+  commands.bindPipeline(bind, *pipelines.passthrough_edge);
+  draw(0, 0, columns, 1);
+  draw(0, rows - 1, columns, 1);
+  draw(0, 1, 1, rows - 2);
+  draw(columns - 1, 1, 1, rows - 2);
+}
+
+void FrameRecorder::record_quads(const FrameSlot& slot, vk::Pipeline pipeline, std::uint32_t first,
+                                 std::uint32_t end) const {
+  if (first == end) return;
+  slot.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+  slot.commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{data_.quads_at});
+  slot.commands.draw(4, end - first, 0, first);
 }
 
 }  // namespace onestroke

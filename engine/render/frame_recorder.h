@@ -35,12 +35,17 @@ class FrameRecorder {
  private:
   bool can_draw_together(std::span<const View> views);
   const Pipelines& pipelines_for(const RenderTarget& target, std::uint32_t view_mask);
-  void build_surface(const FrameScene& scene, const PictureStore& picture);
+  void build_surface(const FrameScene& scene, std::span<const View> views, const PictureStore& picture);
+  void find_foreground(FramePass& pass) const;
   void write_set(const FrameSlot& slot, const Seen& seen) const;
-  void record_pass(const FrameSlot& slot, const FramePass& pass, std::span<const View> views,
-                   const RenderTarget& target, const FrameScene& scene, const Seen& seen);
-  void record_passthrough(const FrameSlot& slot, const Pipelines& pipelines) const;
-  void record_overlay(const FrameSlot& slot, const Pipelines& pipelines) const;
+  void record_foreground(const FrameSlot& slot, const FramePass& pass, const Pipelines& pipelines,
+                         std::span<const View> drawn, const FrameScene& scene, const Seen& seen);
+  void record_picture(const FrameSlot& slot, const FramePass& pass, const Pipelines& pipelines,
+                      std::span<const View> drawn, const RenderTarget& target, const FrameScene& scene,
+                      const Seen& seen) const;
+  void record_passthrough(const FrameSlot& slot, const Pipelines& pipelines, bool ideal_lens) const;
+  /// From the first to before the end.
+  void record_quads(const FrameSlot& slot, vk::Pipeline pipeline, std::uint32_t first, std::uint32_t end) const;
 
   Device& device_;
   const Layouts& layouts_;

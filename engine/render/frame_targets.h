@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/frame_pass.h"
 #include "render/frame_scene.h"
 #include "render/pipelines.h"
 #include "render/resources.h"
@@ -7,34 +8,33 @@
 
 namespace onestroke {
 
-/// What a frame is drawn into before it is resolved into the display's image: colour and depth with several samples a
-/// pixel, and a layer for every view that is drawn at once.
+/// What a frame is drawn into. What stands in the room is drawn first, by itself, with several samples a pixel and
+/// depth, where it may be seen and nowhere else: the foreground. The picture is drawn after it, straight into the
+/// display's image, and the foreground is laid over it. So what has no edges, which is most of a frame, does not pay for
+/// smooth ones.
 class FrameTargets {
  public:
   explicit FrameTargets(Device& device) : device_(device) {}
 
-  /// How the samples get to the display's image.
-  enum class Way {
-    at_once,   ///< All layers in one pass, which resolves them itself.
-    by_layer,  ///< A pass for each layer, then a transfer: Mesa 22's lavapipe resolves every pass to the first layer.
-  };
+  /// Makes the foreground as large as the target, with a layer for every view that is drawn at once; what does not fit
+  /// any more goes to the graveyard.
+  void fit(const RenderTarget& target, std::uint32_t views_at_once, Graveyard& graveyard);
+  /// The foreground as the picture's pass samples it: premultiplied, an array.
+  vk::ImageView foreground() const { return foreground_.view(); }
 
-  /// Makes them as large as the target; what does not fit any more goes to the graveyard.
-  void fit(const RenderTarget& target, Way way, Graveyard& graveyard);
+  void begin_foreground(const vk::raii::CommandBuffer& commands, const FramePass& pass) const;
+  void end_foreground(const vk::raii::CommandBuffer& commands) const;
 
   /// Takes the display's image for drawing, and gives it back.
-  void open(const vk::raii::CommandBuffer& commands, const RenderTarget& target) const;
-  void close(const vk::raii::CommandBuffer& commands, const RenderTarget& target) const;
-
-  /// One pass: over the views of `view_mask`, or, where that is 0, over one layer, which end_pass() names.
-  void begin_pass(const vk::raii::CommandBuffer& commands, const RenderTarget& target, std::uint32_t view_mask,
-                  const Color& background) const;
-  void end_pass(const vk::raii::CommandBuffer& commands, const RenderTarget& target, std::uint32_t layer) const;
+  static void open(const vk::raii::CommandBuffer& commands, const RenderTarget& target);
+  static void close(const vk::raii::CommandBuffer& commands, const RenderTarget& target);
+  /// Within a pass's viewport.
+  static void begin_picture(const vk::raii::CommandBuffer& commands, const RenderTarget& target, const FramePass& pass,
+                            vk::Rect2D viewport, const Color& background);
 
  private:
   Device& device_;
-  Way way_ = Way::at_once;
-  Image color_, depth_;
+  Image color_, depth_, foreground_;
 };
 
 }  // namespace onestroke

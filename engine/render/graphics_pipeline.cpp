@@ -15,6 +15,13 @@ vk::PipelineColorBlendAttachmentState blend_of(const PipelineRecipe& recipe) {
   return state;
 }
 
+std::vector<vk::SpecializationMapEntry> entries_of(const std::vector<std::uint32_t>& constants) {
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (std::uint32_t i = 0; i < constants.size(); ++i)
+    entries.push_back({i, i * std::uint32_t{sizeof(std::uint32_t)}, sizeof(std::uint32_t)});
+  return entries;
+}
+
 }  // namespace
 
 vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& recipe) {
@@ -22,10 +29,17 @@ vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& 
     return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
   };
   const auto vertex = module_of(recipe.vertex), fragment = module_of(recipe.fragment);
+  const std::vector<vk::SpecializationMapEntry> entries = entries_of(recipe.constants);
+  const vk::SpecializationInfo constants{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                                         .pMapEntries = entries.data(),
+                                         .dataSize = recipe.constants.size() * sizeof(std::uint32_t),
+                                         .pData = recipe.constants.data()};
   using Stage = vk::ShaderStageFlagBits;
   const std::array stages{
-      vk::PipelineShaderStageCreateInfo{.stage = Stage::eVertex, .module = *vertex, .pName = "main"},
-      vk::PipelineShaderStageCreateInfo{.stage = Stage::eFragment, .module = *fragment, .pName = "main"}};
+      vk::PipelineShaderStageCreateInfo{
+          .stage = Stage::eVertex, .module = *vertex, .pName = "main", .pSpecializationInfo = &constants},
+      vk::PipelineShaderStageCreateInfo{
+          .stage = Stage::eFragment, .module = *fragment, .pName = "main", .pSpecializationInfo = &constants}};
   const vk::PipelineVertexInputStateCreateInfo input{
       .vertexBindingDescriptionCount = static_cast<std::uint32_t>(recipe.bindings.size()),
       .pVertexBindingDescriptions = recipe.bindings.data(),

@@ -1,7 +1,6 @@
 #include "render/imgui_pass.h"
 
 #include "render/graphics_pipeline.h"
-#include "render/pipelines.h"
 #include "shaders/spirv.h"
 
 #include <imgui.h>
@@ -95,8 +94,6 @@ void ImguiPass::fit(vk::Format target) {
                                                .bindings = vertex_bindings,
                                                .attributes = vertex_attributes,
                                                .color = target,
-                                               .depth = depth_format,
-                                               .samples = sample_count,
                                                .blends = true});
 }
 

@@ -77,6 +77,20 @@ PlaneBounds picture_bounds(const Intrinsics& k, int width, int height, double ma
   return bounds;
 }
 
+PlaneBounds inner_bounds(const Intrinsics& k, int width, int height) {
+  constexpr int steps = 64;
+  PlaneBounds bounds{-1e9, -1e9, 1e9, 1e9};
+  for (int i = 0; i <= steps; ++i) {
+    const double u = static_cast<double>(width) * i / steps, v = static_cast<double>(height) * i / steps;
+    bounds = {std::max(bounds.left, without_lens(k, 0, v)[0]), std::max(bounds.top, without_lens(k, u, 0)[1]),
+              std::min(bounds.right, without_lens(k, width, v)[0]),
+              std::min(bounds.bottom, without_lens(k, u, height)[1])};
+  }
+  bounds.right = std::max(bounds.right, bounds.left);
+  bounds.bottom = std::max(bounds.bottom, bounds.top);
+  return bounds;
+}
+
 std::array<float, 4> LensMap::placement() const {
   // From the first sample's middle to the last's, so that the bounds themselves are sampled.
   const double scale_x = (width - 1) / (bounds.right - bounds.left) / width;

@@ -25,6 +25,9 @@ struct PlaneBounds {
 /// What of the plane z = 1 a picture shows, and `margin` picture heights more on every side.
 PlaneBounds picture_bounds(const Intrinsics& intrinsics, int width, int height, double margin);
 
+/// A rectangle of the plane z = 1 in which there is nothing but picture; of no size where the lens leaves none.
+PlaneBounds inner_bounds(const Intrinsics& intrinsics, int width, int height);
+
 /// How a lens shifts what an ideal one would show, sampled over the plane z = 1: looked up between samples it is right
 /// to a hundredth of a pixel where the model does not fold within the picture.
 struct LensMap {

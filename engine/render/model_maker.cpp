@@ -73,21 +73,15 @@ gpu::MaterialData data_of(const ModelMaterial& m) {
           .flags = {m.normal_texture >= 0 ? 1.0F : 0.0F, blend ? 1.0F : 0.0F, 0.0F, 0.0F}};
 }
 
-struct Box {
-  glm::vec3 lower{INFINITY}, upper{-INFINITY};
-
-  void add(const ModelVertex& v) {
-    const glm::vec3 p(v.position[0], v.position[1], v.position[2]);
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  }
-  glm::vec3 centre() const { return (lower + upper) * 0.5F; }
-};
+glm::vec3 position_of(const ModelVertex& v) {
+  return {v.position[0], v.position[1], v.position[2]};
+}
 
 GpuModel::Part part_of(const Model& model, const ModelPart& part) {
   const ModelMaterial& material = model.materials[static_cast<std::size_t>(part.material)];
   Box box;
-  for (std::uint32_t i = 0; i < part.index_count; ++i) box.add(model.vertices[model.indices[part.first_index + i]]);
+  for (std::uint32_t i = 0; i < part.index_count; ++i) 
+    box.add(position_of(model.vertices[model.indices[part.first_index + i]]));
   return {.first_index = part.first_index,
           .index_count = part.index_count,
           .material = static_cast<std::uint32_t>(part.material),
@@ -108,10 +102,7 @@ void add_geometry(const Model& model, GpuModel& gpu) {
   // Parts are sorted by where they are in full, so that their order does not hang on the level.
   for (auto& level : gpu.levels)
     for (std::size_t i = 0; i < level.size(); ++i) level[i].centre = gpu.levels.front()[i].centre;
-  Box box;
-  for (const auto& v : model.vertices) box.add(v);
-  gpu.centre = box.centre();
-  gpu.radius = glm::distance(box.lower, box.upper) / 2;
+  for (const auto& v : model.vertices) gpu.box.add(position_of(v));
 }
 
 }  // namespace

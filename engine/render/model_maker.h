@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/pipelines.h"
+#include "render/screen_bounds.h"
 #include "render/upload.h"
 #include "scene/contact_balls.h"
 #include "scene/model.h"
@@ -28,8 +29,7 @@ struct GpuModel {
   std::vector<vk::DescriptorSet> materials;
   std::vector<Parts> levels;  ///< The full detail first; ever coarser, the same parts in the same order.
   std::vector<float> errors;  ///< Of each level, in the model's unit; the first is 0.
-  glm::vec3 centre{};         ///< Of a ball round all of it, in the model.
-  float radius = 0;
+  Box box;                    ///< Round all of it, in the model.
   std::vector<ContactBall> balls;  ///< See contact_balls().
 };
 

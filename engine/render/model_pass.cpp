@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace onestroke {
 
@@ -37,8 +38,8 @@ const GpuModel::Parts& level_for(const GpuModel& model, const ModelInstance& ins
   if (model.levels.size() == 1) return model.levels.front();
   const glm::mat4 m = matrix_of(instance);
   const double stretch = double{stretch_of(glm::mat3(m))} / metres_per_millimetre;
-  const Ball ball{.centre_world = point_from_graphics(glm::vec3(m * glm::vec4(model.centre, 1.0F))),
-                  .radius = double{model.radius} * stretch};
+  const Ball ball{.centre_world = point_from_graphics(glm::vec3(m * glm::vec4(model.box.centre(), 1.0F))),
+                  .radius = glm::distance(model.box.lower, model.box.upper) / 2.0 * stretch};
   double pixels = 0;
   for (const View& view : views) pixels = std::max(pixels, pixels_per_millimetre(view, ball));
   return model.levels[choose_level(model.errors, pixels * stretch)];
@@ -116,6 +117,13 @@ void ModelPass::prepare(std::span<const ModelInstance> instances, std::span<cons
       list.push_back({.model = model, .level = &level, .part = &part, .instance = &instance, .shadow = shadow});
     }
   }
+}
+
+void ModelPass::add_to(ScreenBounds& bounds) const {
+  const ModelInstance* last = nullptr;
+  for (const auto* list : {&opaque_, &blended_})
+    for (const auto& d : *list)
+      if (std::exchange(last, d.instance) != d.instance) bounds.add(d.model->box, matrix_of(*d.instance));
 }
 
 void ModelPass::record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,

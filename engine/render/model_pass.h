@@ -17,6 +17,8 @@ class ModelPass {
   void prepare(std::span<const ModelInstance> instances, std::span<const View> views);
   /// Those of the models that stand near another, to be given to the shaders.
   std::span<const gpu::vec4> balls() const { return shadows_.balls(); }
+  /// Where what is seen of them lies; occluders are not seen.
+  void add_to(ScreenBounds& bounds) const;
   /// Records one view, seen from `eye` (world, graphics axes).
   void record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
               const glm::vec3& eye);

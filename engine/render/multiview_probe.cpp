@@ -57,7 +57,7 @@ bool multiview_works(Device& device) {
                              .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
   const Buffer bytes(device, size * size * views, vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
   const auto layout = device.vk().createPipelineLayout({});
-  const auto pipeline = make_graphics_pipeline(device, {.vertex = spirv::probe_vert(),
+  const auto pipeline = make_graphics_pipeline(device, {.vertex = spirv::full_screen_vert(),
                                                         .fragment = spirv::probe_frag(),
                                                         .layout = *layout,
                                                         .color = format,

@@ -64,6 +64,14 @@ void Overlay::build(const FrameScene& scene, std::span<const View> views) {
                       .color = rgba(line.color)});
 }
 
+void Overlay::add_to(ScreenBounds& bounds) const {
+  for (const auto& line : lines_)
+    for (const gpu::vec4& end : {line.from, line.to}) bounds.add(glm::vec3(end), line.from.w / 2 + 1);
+  for (const auto& quad : quads().first(tested_))
+    for (const float x : {0.0F, 1.0F})
+      for (const float y : {0.0F, 1.0F}) bounds.add(glm::vec3(quad.origin + x * quad.edge_x + y * quad.edge_y), 1);
+}
+
 void Overlay::add_label(const Label& label, const Frame& frame) {
   const glm::vec3 at = point_to_graphics(label.position_world);
   const float depth = glm::dot(at - frame.eye, frame.forward);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/frame_scene.h"
+#include "render/screen_bounds.h"
 #include "render/view.h"
 #include "shaders/shared.h"
 
@@ -20,6 +21,8 @@ class Overlay {
   /// How many of them, from the front, are tested against depth.
   std::uint32_t tested() const { return tested_; }
   std::span<const gpu::LineData> lines() const { return lines_; }
+  /// Where what models may hide lies: lines and the labels that are tested.
+  void add_to(ScreenBounds& bounds) const;
 
  private:
   struct Frame;

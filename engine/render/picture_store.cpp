@@ -1,6 +1,7 @@
 #include "render/picture_store.h"
 
 #include "core/error.h"
+#include "render/graphics_pipeline.h"
 #include "render/upload.h"
 #include "shaders/shared.h"
 #include "shaders/spirv.h"
@@ -15,29 +16,32 @@ using Stage = vk::PipelineStageFlagBits2;
 using Reach = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
+constexpr Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
+
 /// How the bytes of one plane lie, and how they are packed: rows from one word to a whole number of them.
 struct PlaneShape {
-  std::uint32_t row_bytes = 0, rows = 0, row_words = 0;
+  std::uint32_t row_bytes = 0, rows = 0;
 };
 
 struct Packing {
-  std::uint32_t format = 0;
+  std::uint32_t format = 0, row_words = 0;
   std::array<PlaneShape, 2> planes;
+
+  std::uint32_t rows() const { return planes[0].rows + planes[1].rows; }
 };
 
 Packing packing_of(const Picture& p) {
   const auto w = static_cast<std::uint32_t>(p.width), h = static_cast<std::uint32_t>(p.height);
-  // The shader takes four pixels at a time.
-  const std::uint32_t fours = (w + 3) / 4;
+  const auto words_of = [](std::uint32_t bytes) { return (bytes + 3) / 4; };
   switch (p.format) {
     case PixelFormat::rgb8:
-      return {UNPACK_RGB8, {{{3 * w, h, 3 * fours}, {}}}};
+      return {UNPACK_RGB8, words_of(3 * w), {{{3 * w, h}, {}}}};
     case PixelFormat::gray8:
-      return {UNPACK_GRAY8, {{{w, h, fours}, {}}}};
+      return {UNPACK_GRAY8, words_of(w), {{{w, h}, {}}}};
     case PixelFormat::nv12:
-      return {UNPACK_NV12, {{{w, h, fours}, {(w + 1) / 2 * 2, (h + 1) / 2, fours}}}};
+      return {UNPACK_NV12, words_of(w), {{{w, h}, {(w + 1) / 2 * 2, (h + 1) / 2}}}};
     case PixelFormat::yuyv:
-      return {UNPACK_YUYV, {{{(w + 1) / 2 * 4, h, 2 * fours}, {}}}};
+      return {UNPACK_YUYV, (w + 1) / 2, {{{(w + 1) / 2 * 4, h}, {}}}};
   }
   throw Error("a picture has an unknown pixel format");
 }
@@ -48,7 +52,7 @@ Packing packing_of(const Picture& p) {
 
 void check(const Picture& p, const Packing& packing, std::uint32_t largest) {
   if (p.width <= 0 || p.height <= 0) refuse(p, " is empty");
-  if (static_cast<std::uint32_t>(std::max(p.width, p.height)) > largest)
+  if (std::max(static_cast<std::uint32_t>(p.width), packing.rows()) > largest)
     refuse(p, " is larger than the GPU's " + std::to_string(largest) + " pixels: choose a smaller camera mode");
   if (!(p.intrinsics.fx > 0 && p.intrinsics.fy > 0)) refuse(p, " has no focal length: give --fov or --calibration");
   for (std::size_t i = 0; i < packing.planes.size(); ++i)
@@ -56,8 +60,7 @@ void check(const Picture& p, const Packing& packing, std::uint32_t largest) {
       refuse(p, " lacks the bytes of plane " + std::to_string(i));
 }
 
-void copy_rows(std::byte* to, const std::uint8_t* from, std::size_t stride, const PlaneShape& shape) {
-  const std::size_t step = std::size_t{shape.row_words} * 4;
+void copy_rows(std::byte* to, std::size_t step, const std::uint8_t* from, std::size_t stride, const PlaneShape& shape) {
   if (stride == step && shape.row_bytes == step) {
     std::memcpy(to, from, step * shape.rows);
     return;
@@ -66,24 +69,25 @@ void copy_rows(std::byte* to, const std::uint8_t* from, std::size_t stride, cons
 }
 
 vk::raii::DescriptorSetLayout make_set_layout(Device& device) {
-  const std::array bindings{
-      vk::DescriptorSetLayoutBinding{0, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute},
-      vk::DescriptorSetLayoutBinding{1, vk::DescriptorType::eStorageImage, 1, vk::ShaderStageFlagBits::eCompute}};
-  return device.vk().createDescriptorSetLayout({.bindingCount = 2, .pBindings = bindings.data()});
+  const vk::DescriptorSetLayoutBinding words{0, vk::DescriptorType::eSampledImage, 1,
+                                             vk::ShaderStageFlagBits::eFragment};
+  return device.vk().createDescriptorSetLayout({.bindingCount = 1, .pBindings = &words});
 }
 
 vk::raii::PipelineLayout make_layout(Device& device, vk::DescriptorSetLayout set) {
-  const vk::PushConstantRange push{vk::ShaderStageFlagBits::eCompute, 0, sizeof(gpu::UnpackData)};
+  const vk::PushConstantRange push{vk::ShaderStageFlagBits::eFragment, 0, sizeof(gpu::UnpackData)};
   return device.vk().createPipelineLayout(
       {.setLayoutCount = 1, .pSetLayouts = &set, .pushConstantRangeCount = 1, .pPushConstantRanges = &push});
 }
 
-vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout) {
-  const auto words = spirv::unpack_comp();
-  const auto module = device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
-  return device.vk().createComputePipeline(
-      device.pipeline_cache(),
-      {.stage = {.stage = vk::ShaderStageFlagBits::eCompute, .module = *module, .pName = "main"}, .layout = layout});
+constexpr auto stored = vk::Format::eR8G8B8A8Unorm;
+
+vk::raii::Pipeline make_pipeline(Device& device, vk::PipelineLayout layout, std::uint32_t format) {
+  return make_graphics_pipeline(device, {.vertex = spirv::full_screen_vert(),
+                                         .fragment = spirv::unpack_frag(),
+                                         .layout = layout,
+                                         .color = stored,
+                                         .constants = {format}});
 }
 
 /// Exact shifts where the GPU can look them up between texels; not every mobile one can.
@@ -95,9 +99,8 @@ vk::Format lens_format_for(const Device& device) {
 }
 
 vk::raii::DescriptorPool make_descriptors(Device& device, std::uint32_t count) {
-  const std::array sizes{vk::DescriptorPoolSize{vk::DescriptorType::eStorageBuffer, count},
-                         vk::DescriptorPoolSize{vk::DescriptorType::eStorageImage, count}};
-  return device.vk().createDescriptorPool({.maxSets = count, .poolSizeCount = 2, .pPoolSizes = sizes.data()});
+  const vk::DescriptorPoolSize size{vk::DescriptorType::eSampledImage, count};
+  return device.vk().createDescriptorPool({.maxSets = count, .poolSizeCount = 1, .pPoolSizes = &size});
 }
 
 }  // namespace
@@ -106,7 +109,8 @@ PictureStore::PictureStore(Device& device)
     : device_(device),
       set_layout_(make_set_layout(device)),
       layout_(make_layout(device, *set_layout_)),
-      pipeline_(make_pipeline(device, *layout_)),
+      pipelines_{make_pipeline(device, *layout_, UNPACK_RGB8), make_pipeline(device, *layout_, UNPACK_GRAY8),
+                 make_pipeline(device, *layout_, UNPACK_NV12), make_pipeline(device, *layout_, UNPACK_YUYV)},
       descriptors_(make_descriptors(device, slots)),
       lens_format_(lens_format_for(device)) {
   for (auto& set : sets_)
@@ -123,25 +127,18 @@ void PictureStore::set(const Picture& p) {
   const Packing packing = packing_of(p);
   check(p, packing, device_.properties().limits.maxImageDimension2D);
   const auto& [first, second] = packing.planes;
-  const std::uint32_t second_at = first.row_words * first.rows;
-  const std::uint64_t bytes = 4 * (std::uint64_t{second_at} + std::uint64_t{second.row_words} * second.rows);
+  const std::size_t step = std::size_t{4} * packing.row_words;
   Buffer& staging = staging_[next_];
-  if (staging.size() < bytes)
-    staging = Buffer(device_, bytes, vk::BufferUsageFlagBits::eStorageBuffer, MemoryPool::Use::upload);
-  copy_rows(staging.mapped(), p.planes[0], p.strides[0], first);
-  if (second.rows) copy_rows(staging.mapped() + std::size_t{4} * second_at, p.planes[1], p.strides[1], second);
+  if (const std::uint64_t bytes = step * packing.rows(); staging.size() < bytes)
+    staging = Buffer(device_, bytes, vk::BufferUsageFlagBits::eTransferSrc, MemoryPool::Use::upload);
+  copy_rows(staging.mapped(), step, p.planes[0], p.strides[0], first);
+  if (second.rows) copy_rows(staging.mapped() + step * first.rows, step, p.planes[1], p.strides[1], second);
   follow_lens(p);
   width_ = p.width;
   height_ = p.height;
   sequence_ = p.sequence;
-  push_ = {static_cast<std::uint32_t>(width_),
-           static_cast<std::uint32_t>(height_),
-           packing.format,
-           0,
-           first.row_words,
-           second_at,
-           second.row_words,
-           0};
+  format_ = packing.format;
+  words_size_ = vk::Extent2D{packing.row_words, packing.rows()};
   intrinsics_ = p.intrinsics;
   T_world_camera_ = p.T_world_camera;
   pending_ = shown_ = true;
@@ -155,6 +152,7 @@ void PictureStore::follow_lens(const Picture& p) {
                     was.cy == is.cy && was.distortion == is.distortion;
   if (same) return;
   bounds_ = picture_bounds(is, p.width, p.height, glow);
+  inside_ = inner_bounds(is, p.width, p.height);
   lens_placement_ = {};
   lens_pending_ = is.distorted();
   if (!lens_pending_) return;
@@ -179,45 +177,75 @@ void PictureStore::record_lens(FrameSlot& slot) {
   slot.graveyard.bury(upload);
 }
 
-void PictureStore::write_set(vk::DescriptorSet set, vk::Buffer bytes) {
-  const vk::DescriptorBufferInfo buffer{.buffer = bytes, .range = VK_WHOLE_SIZE};
-  const vk::DescriptorImageInfo image{.imageView = image_.view(), .imageLayout = Layout::eGeneral};
-  const std::array writes{vk::WriteDescriptorSet{.dstSet = set,
-                                                 .dstBinding = 0,
-                                                 .descriptorCount = 1,
-                                                 .descriptorType = vk::DescriptorType::eStorageBuffer,
-                                                 .pBufferInfo = &buffer},
-                          vk::WriteDescriptorSet{.dstSet = set,
-                                                 .dstBinding = 1,
-                                                 .descriptorCount = 1,
-                                                 .descriptorType = vk::DescriptorType::eStorageImage,
-                                                 .pImageInfo = &image}};
-  device_.vk().updateDescriptorSets(writes, {});
+void PictureStore::fit(Graveyard& graveyard) {
+  using Usage = vk::ImageUsageFlagBits;
+  const auto fits = [](const Image& image, vk::Extent2D size) {
+    return image && image.info().width == size.width && image.info().height == size.height;
+  };
+  if (!fits(words_, words_size_)) {
+    graveyard.bury(std::move(words_));
+    words_ = Image(device_, {.format = stored,
+                             .width = words_size_.width,
+                             .height = words_size_.height,
+                             .usage = Usage::eTransferDst | Usage::eSampled});
+  }
+  const vk::Extent2D size{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_)};
+  if (fits(image_, size)) return;
+  graveyard.bury(std::move(image_));
+  // Drawn to byte for byte, sampled as the sRGB values that cameras give.
+  image_ = Image(device_, {.format = stored,
+                           .width = size.width,
+                           .height = size.height,
+                           .usage = Usage::eColorAttachment | Usage::eSampled,
+                           .second_format = vk::Format::eR8G8B8A8Srgb});
+}
+
+void PictureStore::record_words(const vk::raii::CommandBuffer& commands) {
+  const vk::DescriptorImageInfo image{.imageView = words_.view(), .imageLayout = Layout::eShaderReadOnlyOptimal};
+  device_.vk().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = sets_[next_],
+                                                           .descriptorCount = 1,
+                                                           .descriptorType = vk::DescriptorType::eSampledImage,
+                                                           .pImageInfo = &image},
+                                    {});
+  const Access write{Stage::eAllTransfer, Reach::eTransferWrite};
+  image_barrier(commands, words_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, sample, write);
+  commands.copyBufferToImage(
+      staging_[next_].handle(), words_.handle(), Layout::eTransferDstOptimal,
+      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
+                          .imageExtent = {words_size_.width, words_size_.height, 1}});
+  image_barrier(commands, words_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, write,
+                sample);
+}
+
+void PictureStore::record_unpacking(const vk::raii::CommandBuffer& commands) const {
+  const vk::Extent2D size{image_.info().width, image_.info().height};
+  const Access draw{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
+  image_barrier(commands, image_.handle(), {Layout::eUndefined, Layout::eColorAttachmentOptimal}, sample, draw);
+  const vk::RenderingAttachmentInfo color{.imageView = image_.view(),
+                                          .imageLayout = Layout::eColorAttachmentOptimal,
+                                          .loadOp = vk::AttachmentLoadOp::eDontCare,
+                                          .storeOp = vk::AttachmentStoreOp::eStore};
+  commands.beginRendering(
+      {.renderArea = {.extent = size}, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &color});
+  commands.setViewport(
+      0, vk::Viewport{0, 0, static_cast<float>(size.width), static_cast<float>(size.height), 0.0F, 1.0F});
+  commands.setScissor(0, vk::Rect2D{{}, size});
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines_.at(format_));
+  commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, sets_[next_], {});
+  commands.pushConstants<gpu::UnpackData>(*layout_, vk::ShaderStageFlagBits::eFragment, 0,
+                                          gpu::UnpackData{{height_, 0, 0, 0}});
+  commands.draw(3, 1, 0, 0);
+  commands.endRendering();
+  image_barrier(commands, image_.handle(), {Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal}, draw,
+                sample);
 }
 
 void PictureStore::record(FrameSlot& slot) {
   record_lens(slot);
   if (!pending_) return;
-  const std::uint32_t width = push_[0], height = push_[1];
-  if (!image_ || image_.info().width != width || image_.info().height != height) {
-    slot.graveyard.bury(std::move(image_));
-    // Stored to byte for byte, sampled as the sRGB values that cameras give.
-    image_ = Image(device_, {.format = vk::Format::eR8G8B8A8Unorm,
-                             .width = width,
-                             .height = height,
-                             .usage = vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled,
-                             .second_format = vk::Format::eR8G8B8A8Srgb});
-  }
-  write_set(sets_[next_], staging_[next_].handle());
-  const auto& commands = slot.commands;
-  const Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
-  const Access store{Stage::eComputeShader, Reach::eShaderStorageWrite};
-  image_barrier(commands, image_.handle(), {Layout::eUndefined, Layout::eGeneral}, sample, store);
-  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
-  commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, sets_[next_], {});
-  commands.pushConstants<std::uint32_t>(*layout_, vk::ShaderStageFlagBits::eCompute, 0, push_);
-  commands.dispatch((width + 63) / 64, (height + 7) / 8, 1);
-  image_barrier(commands, image_.handle(), {Layout::eGeneral, Layout::eShaderReadOnlyOptimal}, store, sample);
+  fit(slot.graveyard);
+  record_words(slot.commands);
+  record_unpacking(slot.commands);
   next_ = (next_ + 1) % slots;
   pending_ = false;
 }

@@ -28,8 +28,11 @@ class PictureStore {
   vk::ImageView lens_view() const { return lens_ ? lens_.view() : blank_.view(); }
   /// See LensMap::placement(); all zero where the lens is ideal.
   const std::array<float, 4>& lens_placement() const { return lens_placement_; }
+  bool ideal_lens() const { return !intrinsics_.distorted(); }
   /// What of the plane z = 1 the picture shows, with room for the glow round its edge.
   const PlaneBounds& bounds() const { return bounds_; }
+  /// Where there is nothing but picture.
+  const PlaneBounds& inside() const { return inside_; }
   const Intrinsics& intrinsics() const { return intrinsics_; }
   const Pose& T_world_camera() const { return T_world_camera_; }
   int width() const { return width_; }
@@ -40,26 +43,29 @@ class PictureStore {
   // One more than the frames in flight: the CPU fills one while the GPU may read the others.
   static constexpr std::size_t slots = frames_in_flight + 1;
 
-  void write_set(vk::DescriptorSet set, vk::Buffer bytes);
+  void fit(Graveyard& graveyard);
+  void record_words(const vk::raii::CommandBuffer& commands);
+  void record_unpacking(const vk::raii::CommandBuffer& commands) const;
   void follow_lens(const Picture& picture);
   void record_lens(FrameSlot& slot);
 
   Device& device_;
   vk::raii::DescriptorSetLayout set_layout_;
   vk::raii::PipelineLayout layout_;
-  vk::raii::Pipeline pipeline_;
+  std::array<vk::raii::Pipeline, 4> pipelines_;  // By UNPACK_*.
   vk::raii::DescriptorPool descriptors_;
   std::array<vk::DescriptorSet, slots> sets_;
   std::array<Buffer, slots> staging_;
   std::size_t next_ = 0;
   bool pending_ = false, shown_ = false;
-  std::array<std::uint32_t, 8> push_{};
-  Image image_, blank_, lens_;
+  std::uint32_t format_ = 0;
+  vk::Extent2D words_size_{};
+  Image words_, image_, blank_, lens_;
   vk::Format lens_format_;
   LensMap lens_map_;
   std::array<float, 4> lens_placement_{};
   bool lens_pending_ = false;
-  PlaneBounds bounds_;
+  PlaneBounds bounds_, inside_;
   int width_ = 0, height_ = 0;
   std::uint64_t sequence_ = 0;
   Intrinsics intrinsics_;

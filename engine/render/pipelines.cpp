@@ -37,11 +37,18 @@ std::array<vk::VertexInputAttributeDescription, count> vec4_attributes() {
 const auto quad_attributes = vec4_attributes<6>();
 const auto line_attributes = vec4_attributes<3>();
 
-PipelineRecipe passthrough_recipe() {
+/// Within the picture and under an ideal lens the shader has less to do.
+PipelineRecipe passthrough_recipe(bool lens, bool edge) {
+  static_assert(CONSTANT_LENS == 0 && CONSTANT_EDGE == 1);
   return {.vertex = spirv::passthrough_vert(),
           .fragment = spirv::passthrough_frag(),
           .layout = {},
-          .topology = vk::PrimitiveTopology::eTriangleStrip};
+          .topology = vk::PrimitiveTopology::eTriangleStrip,
+          .constants = {lens, edge}};
+}
+
+PipelineRecipe foreground_recipe() {
+  return {.vertex = spirv::full_screen_vert(), .fragment = spirv::foreground_frag(), .layout = {}, .blends = true};
 }
 
 PipelineRecipe model_recipe(bool writes_color, bool blends) {
@@ -106,7 +113,8 @@ vk::raii::DescriptorSetLayout frame_layout(Device& device) {
       vk::DescriptorSetLayoutBinding{BINDING_GLYPHS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_ROOM, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_FINGERS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
+      vk::DescriptorSetLayoutBinding{BINDING_FINGERS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_FOREGROUND, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
   return make_set_layout(device, bindings);
 }
 
@@ -137,12 +145,14 @@ Layouts::Layouts(Device& device)
       pipeline(pipeline_layout(device, *frame, *material)) {}
 
 Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, std::uint32_t view_mask)
-    : Pipelines([&](PipelineRecipe recipe) {
+    : Pipelines([&](PipelineRecipe recipe, bool to_foreground) {
         recipe.layout = *layouts.pipeline;
         recipe.color = target;
-        recipe.depth = depth_format;
-        recipe.samples = sample_count;
         recipe.view_mask = view_mask;
+        if (to_foreground) {
+          recipe.depth = depth_format;
+          recipe.samples = sample_count;
+        }
         return make_graphics_pipeline(device, recipe);
       }) {
   color = target;
@@ -150,13 +160,16 @@ Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, 
 
 template <typename Make>
 Pipelines::Pipelines(const Make& make)
-    : passthrough(make(passthrough_recipe())),
-      model(make(model_recipe(true, false))),
-      model_blend(make(model_recipe(true, true))),
-      model_depth(make(model_recipe(false, false))),
-      finger(make(finger_recipe())),
-      line(make(line_recipe())),
-      quad(make(quad_recipe(true))),
-      quad_on_top(make(quad_recipe(false))) {}
+    : model(make(model_recipe(true, false), true)),
+      model_blend(make(model_recipe(true, true), true)),
+      model_depth(make(model_recipe(false, false), true)),
+      finger(make(finger_recipe(), true)),
+      line(make(line_recipe(), true)),
+      quad(make(quad_recipe(true), true)),
+      passthrough(make(passthrough_recipe(false, false), false)),
+      passthrough_lens(make(passthrough_recipe(true, false), false)),
+      passthrough_edge(make(passthrough_recipe(true, true), false)),
+      foreground(make(foreground_recipe(), false)),
+      quad_on_top(make(quad_recipe(false), false)) {}
 
 }  // namespace onestroke

@@ -16,19 +16,25 @@ struct Layouts {
 };
 
 /// The pipelines for one format of target and the views that are drawn at once: a bit each, or 0 for one view by
-/// itself. All test depth the reverse way round (nearer is greater).
+/// itself. What goes to the foreground has several samples and tests depth the reverse way round (nearer is greater);
+/// what goes to the picture has neither. See FrameTargets.
 struct Pipelines {
   Pipelines(Device& device, const Layouts& layouts, vk::Format color, std::uint32_t view_mask);
 
   vk::Format color = vk::Format::eUndefined;
-  vk::raii::Pipeline passthrough;
+  // To the foreground.
   vk::raii::Pipeline model;        ///< Writes depth; culling and front face are set while recording.
   vk::raii::Pipeline model_blend;  ///< Premultiplied over what is there; does not write depth.
   vk::raii::Pipeline model_depth;  ///< Depth alone.
   vk::raii::Pipeline finger;       ///< As model_blend.
   vk::raii::Pipeline line;
   vk::raii::Pipeline quad;
-  vk::raii::Pipeline quad_on_top;  ///< Without a depth test.
+  // To the picture.
+  vk::raii::Pipeline passthrough;       ///< Within the picture, where the lens is ideal.
+  vk::raii::Pipeline passthrough_lens;  ///< Within the picture.
+  vk::raii::Pipeline passthrough_edge;  ///< Round it.
+  vk::raii::Pipeline foreground;        ///< What was drawn there, over what is there.
+  vk::raii::Pipeline quad_on_top;
 
  private:
   template <typename Make>

@@ -28,14 +28,15 @@ class Buffer {
 struct ImageInfo {
   vk::Format format = vk::Format::eUndefined;
   std::uint32_t width = 0, height = 0, mip_levels = 1, layers = 1;
-  bool cube = false;  ///< Six layers are the faces of a cube of directions.
+  bool cube = false;   ///< Six layers are the faces of a cube of directions.
+  bool array = false;  ///< Seen as an array even where there is one layer.
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
   vk::ImageUsageFlags usage{};
   /// Also seen through a second format (an image that is stored to as UNORM and sampled as sRGB).
   vk::Format second_format = vk::Format::eUndefined;
 };
 
-/// A 2D image with its memory and a view of all of it, an array where it has layers. As Buffer.
+/// A 2D image with its memory and a view of all of it, an array where it has several layers. As Buffer.
 class Image {
  public:
   Image() = default;
@@ -54,6 +55,9 @@ class Image {
   vk::raii::ImageView view_{nullptr}, second_view_{nullptr};
   ImageInfo info_;
 };
+
+/// One layer of an image, 2D.
+vk::raii::ImageView make_layer_view(Device& device, const Image& image, std::uint32_t layer);
 
 /// Resources that the GPU may still use; emptied when its frame is known to be done.
 class Graveyard {

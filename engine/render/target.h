@@ -1,15 +1,21 @@
 #pragma once
 
+#include "render/view.h"
+
 #include <vulkan/vulkan_core.h>
+
+#include <array>
 
 namespace onestroke {
 
 /// The image that a display wants a frame in: a layer for each view. The format is an sRGB one: shaders write linear
-/// values. Used as a colour attachment and, where there are several layers, as a destination of transfers.
+/// values. Used as a colour attachment.
 struct RenderTarget {
   VkImage image = VK_NULL_HANDLE;
   /// Of all layers: 2D where there is one, otherwise 2D_ARRAY.
   VkImageView view = VK_NULL_HANDLE;
+  /// 2D, of each layer by itself where there are several.
+  std::array<VkImageView, max_views> layer_views{};
   VkFormat format = VK_FORMAT_UNDEFINED;
   int width = 0, height = 0;
   int layers = 1;

@@ -17,6 +17,7 @@ constexpr auto format = vk::Format::eR8G8B8A8Srgb;
 struct Slot {
   Image image;
   Buffer bytes;
+  std::array<vk::raii::ImageView, max_views> layers{nullptr, nullptr};
   RenderTarget target;
   vk::raii::CommandPool pool{nullptr};
   vk::raii::CommandBuffer commands{nullptr};
@@ -31,8 +32,7 @@ Slot make_slot(Device& device, int width, int height, int views) {
                               .width = w,
                               .height = h,
                               .layers = static_cast<std::uint32_t>(views),
-                              .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc |
-                                       vk::ImageUsageFlagBits::eTransferDst});
+                              .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
   slot.bytes = Buffer(device, std::uint64_t{4} * w * h * static_cast<std::uint32_t>(views),
                       vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
   slot.target = {.image = slot.image.handle(),
@@ -42,6 +42,10 @@ Slot make_slot(Device& device, int width, int height, int views) {
                  .height = height,
                  .layers = views,
                  .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+  for (std::uint32_t i = 0; views > 1 && i < slot.image.info().layers; ++i) {
+    slot.layers[i] = make_layer_view(device, slot.image, i);
+    slot.target.layer_views[i] = *slot.layers[i];
+  }
   slot.pool = device.vk().createCommandPool({.queueFamilyIndex = device.queue_family()});
   slot.commands =
       std::move(device.vk().allocateCommandBuffers({.commandPool = *slot.pool, .commandBufferCount = 1}).front());

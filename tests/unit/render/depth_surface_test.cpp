@@ -9,21 +9,19 @@ namespace onestroke {
 namespace {
 
 const Intrinsics camera = Intrinsics::from_fov(1280, 720, 1.1);
-const PlaneBounds bounds = picture_bounds(camera, 1280, 720, 0.1);
+const PlaneBounds bounds = picture_bounds(camera, 1280, 720, 0.1), inside = inner_bounds(camera, 1280, 720);
 
 double depth_at(double x, double y, std::span<const DepthSegment> segments, double distance = 500) {
   DepthSurface surface;
-  surface.build(bounds, segments, distance);
+  surface.build(inside, bounds, segments, distance);
   return 1 / surface.inverse_depth(x, y);
 }
 
 /// Depth, mm, as it is drawn: 1 / z is affine over each of a cell's two triangles.
 double drawn_depth(const DepthSurface& surface, double x, double y) {
-  const PlaneBounds& b = surface.bounds();
-  const int columns = surface.columns_used(), rows = surface.rows_used();
-  const double u = (x - b.left) / (b.right - b.left) * columns, v = (y - b.top) / (b.bottom - b.top) * rows;
-  const int column = std::clamp(static_cast<int>(u), 0, columns - 1);
-  const int row = std::clamp(static_cast<int>(v), 0, rows - 1);
+  const int columns = surface.across().cells, rows = surface.down().cells;
+  const double u = surface.across().cell_of(x), v = surface.down().cell_of(y);
+  const int column = std::min(static_cast<int>(u), columns - 1), row = std::min(static_cast<int>(v), rows - 1);
   const auto at = [&](int i, int j) {
     return double{surface.inverse_depths()[static_cast<std::size_t>((row + i) * (columns + 1) + column + j)]};
   };
@@ -34,8 +32,8 @@ double drawn_depth(const DepthSurface& surface, double x, double y) {
 
 TEST(DepthSurface, IsAPlaneWhereNothingIsKnown) {
   DepthSurface surface;
-  surface.build(bounds, {}, 450);
-  EXPECT_EQ(surface.inverse_depths().size(), 4U);
+  surface.build(inside, bounds, {}, 450);
+  EXPECT_EQ(surface.inverse_depths().size(), 16U);
   for (const float q : surface.inverse_depths()) EXPECT_FLOAT_EQ(q, 1 / 0.45F);
 }
 
@@ -94,7 +92,7 @@ TEST(DepthSurface, TakesAChainNoSteeperThanSideways) {
 TEST(DepthSurface, LeavesOutWhatIsBehindTheCamera) {
   const std::array segments{DepthSegment{{0, 0, -100}, {0, 0, 300}}};
   DepthSurface surface;
-  surface.build(bounds, segments, 500);
+  surface.build(inside, bounds, segments, 500);
   for (const float q : surface.inverse_depths()) EXPECT_FLOAT_EQ(q, 2.0F);
 }
 
@@ -117,14 +115,14 @@ TEST(DepthSurface, IsDrawnRightAtTheCornersOfSticksAndNearlySoAlongThem) {
       corners.push_back(T.translation);
     }
     DepthSurface surface;
-    surface.build(bounds, segments, 500);
+    surface.build(inside, bounds, segments, 500);
     // Sticks that cross in the picture cannot both be met.
     const Vec3 a = corners[0], b = corners[1];
     if (std::hypot(a.x / a.z - b.x / b.z, a.y / a.z - b.y / b.z) < 0.35) continue;
     for (const Vec3 c : corners) worst = std::max(worst, std::abs(drawn_depth(surface, c.x / c.z, c.y / c.z) - c.z));
     // One alone, and not folded up, since arms before each other cannot both be met.
     segments.resize(2);
-    surface.build(bounds, segments, 500);
+    surface.build(inside, bounds, segments, 500);
     const Vec3 tip = segments[0].from, stop = segments[1].to;
     if (std::hypot(tip.x / tip.z - stop.x / stop.z, tip.y / tip.z - stop.y / stop.z) < 0.15) continue;
     for (const DepthSegment& s : segments) {
