@@ -11,6 +11,9 @@ layout(set = 1, binding = BINDING_EMISSIVE) uniform sampler2D emissive_texture;
 
 layout(set = 0, binding = BINDING_ROOM) uniform samplerCube room;
 
+// Off where the material has neither textures nor an alpha test: looking up white costs as much as looking up a texture.
+layout(constant_id = CONSTANT_TEXTURED) const bool textured = true;
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
@@ -23,7 +26,7 @@ const float pi = 3.14159265;
 
 vec3 surface_normal() {
   vec3 n = normalize(normal);
-  if (material.flags.x > 0.5 && dot(tangent.xyz, tangent.xyz) > 1e-12) {
+  if (textured && material.flags.x > 0.5 && dot(tangent.xyz, tangent.xyz) > 1e-12) {
     vec3 t = normalize(tangent.xyz - n * dot(n, tangent.xyz));
     vec3 m = texture(normal_texture, uv).xyz * 2.0 - 1.0;
     m.xy *= material.factors.z;
@@ -100,12 +103,14 @@ vec3 with_grain(vec3 c) {
 }
 
 void main() {
-  vec4 base = texture(base_color_texture, uv) * material.base_color * vertex_color;
-  if (base.a < material.emissive.a) discard;
+  vec4 base = material.base_color * vertex_color;
+  if (textured) base *= texture(base_color_texture, uv);
+  if (textured && base.a < material.emissive.a) discard;
   base.rgb *= draw.tint.rgb;
-  vec2 metallic_roughness = texture(metallic_roughness_texture, uv).bg * material.factors.xy;
+  vec2 metallic_roughness = material.factors.xy;
+  if (textured) metallic_roughness *= texture(metallic_roughness_texture, uv).bg;
   float metallic = metallic_roughness.x, roughness = clamp(metallic_roughness.y, 0.06, 1.0);
-  float occlusion = 1.0 + material.factors.w * (texture(occlusion_texture, uv).r - 1.0);
+  float occlusion = textured ? 1.0 + material.factors.w * (texture(occlusion_texture, uv).r - 1.0) : 1.0;
 
   vec3 n = surface_normal(), v = normalize(view.eye.xyz - position);
   vec3 diffuse = base.rgb * (1.0 - metallic), f0 = mix(vec3(0.04), base.rgb, metallic);
@@ -113,7 +118,7 @@ void main() {
   vec3 ambient = diffuse * matt(n) + environment_share(f0, roughness, clamp(dot(n, v), 0.0, 1.0)) * mirrored;
   vec2 left = left_by_others(n);
   vec3 lit = ambient * occlusion * left.x + key_light(n, v, diffuse, f0, roughness) * left.y +
-             texture(emissive_texture, uv).rgb * material.emissive.rgb;
+             (textured ? texture(emissive_texture, uv).rgb : vec3(1.0)) * material.emissive.rgb;
   // Only a blended material lets its own alpha through.
   float alpha = (material.flags.y > 0.5 ? base.a : 1.0) * draw.tint.a;
   // The camera shows no black that is darker than its own.

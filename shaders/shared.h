@@ -36,6 +36,7 @@ using glm::vec4;
 // Specialisation constants.
 #define CONSTANT_LENS 0
 #define CONSTANT_EDGE 1
+#define CONSTANT_TEXTURED 0
 
 // Reach of the glyph atlas's distance field either side of an outline, texels.
 #define ATLAS_SPREAD 6.0

@@ -87,7 +87,8 @@ GpuModel::Part part_of(const Model& model, const ModelPart& part) {
           .material = static_cast<std::uint32_t>(part.material),
           .centre = part.index_count ? box.centre() : glm::vec3(0.0F),
           .blends = material.alpha_mode == ModelMaterial::AlphaMode::blend,
-          .double_sided = material.double_sided};
+          .double_sided = material.double_sided,
+          .textured = material.textured() || material.alpha_mode == ModelMaterial::AlphaMode::mask};
 }
 
 void add_level(const Model& model, const std::vector<ModelPart>& parts, float error, GpuModel& gpu) {

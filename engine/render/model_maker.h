@@ -20,6 +20,7 @@ struct GpuModel {
     std::uint32_t material = 0;
     glm::vec3 centre{};  // in the model
     bool blends = false, double_sided = false;
+    bool textured = false;  // or tested by its alpha
   };
   using Parts = std::vector<Part>;
 

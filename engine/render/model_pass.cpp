@@ -69,7 +69,8 @@ struct ModelPass::Recorder {
   const GpuModel* bound_model = nullptr;
   const ModelInstance* pushed = nullptr;
 
-  void draw(const vk::raii::Pipeline& pipeline, const Draw& d, const GpuModel::Part& part) {
+  void draw(const std::array<vk::raii::Pipeline, 2>& pipelines, const Draw& d, const GpuModel::Part& part) {
+    const vk::raii::Pipeline& pipeline = pipelines[part.textured ? 1 : 0];
     if (bound_pipeline != *pipeline) commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
     bound_pipeline = *pipeline;
     if (bound_model != d.model) {

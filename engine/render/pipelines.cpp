@@ -51,7 +51,8 @@ PipelineRecipe foreground_recipe() {
   return {.vertex = spirv::full_screen_vert(), .fragment = spirv::foreground_frag(), .layout = {}, .blends = true};
 }
 
-PipelineRecipe model_recipe(bool writes_color, bool blends) {
+PipelineRecipe model_recipe(bool textured, bool writes_color, bool blends) {
+  static_assert(CONSTANT_TEXTURED == 0);
   return {.vertex = spirv::model_vert(),
           .fragment = spirv::model_frag(),
           .layout = {},
@@ -62,6 +63,7 @@ PipelineRecipe model_recipe(bool writes_color, bool blends) {
           .writes_depth = !blends,
           .writes_color = writes_color,
           .blends = blends,
+          .constants = {textured},
           .sets_culling = true};
 }
 
@@ -160,9 +162,9 @@ Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, 
 
 template <typename Make>
 Pipelines::Pipelines(const Make& make)
-    : model(make(model_recipe(true, false), true)),
-      model_blend(make(model_recipe(true, true), true)),
-      model_depth(make(model_recipe(false, false), true)),
+    : model{make(model_recipe(false, true, false), true), make(model_recipe(true, true, false), true)},
+      model_blend{make(model_recipe(false, true, true), true), make(model_recipe(true, true, true), true)},
+      model_depth{make(model_recipe(false, false, false), true), make(model_recipe(true, false, false), true)},
       finger(make(finger_recipe(), true)),
       line(make(line_recipe(), true)),
       quad(make(quad_recipe(true), true)),

@@ -2,6 +2,8 @@
 
 #include "render/device.h"
 
+#include <array>
+
 namespace onestroke {
 
 inline constexpr auto sample_count = vk::SampleCountFlagBits::e4;
@@ -23,9 +25,10 @@ struct Pipelines {
 
   vk::Format color = vk::Format::eUndefined;
   // To the foreground.
-  vk::raii::Pipeline model;        ///< Writes depth; culling and front face are set while recording.
-  vk::raii::Pipeline model_blend;  ///< Premultiplied over what is there; does not write depth.
-  vk::raii::Pipeline model_depth;  ///< Depth alone.
+  // The first for materials without textures and alpha tests, the second for all others.
+  std::array<vk::raii::Pipeline, 2> model;        ///< Writes depth; culling and front face are set while recording.
+  std::array<vk::raii::Pipeline, 2> model_blend;  ///< Premultiplied over what is there; does not write depth.
+  std::array<vk::raii::Pipeline, 2> model_depth;  ///< Depth alone.
   vk::raii::Pipeline finger;       ///< As model_blend.
   vk::raii::Pipeline line;
   vk::raii::Pipeline quad;

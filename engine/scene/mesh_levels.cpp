@@ -187,6 +187,9 @@ Surface surface_of(const Model& model, const ModelPart& part) {
   const std::uint32_t first = *least, last = *most;
   s.vertices.assign(model.vertices.begin() + first, model.vertices.begin() + last + 1);
   for (std::uint32_t& i : s.indices) i -= first;
+  // Seams of a texture that is not there would hold the simplification up.
+  if (!model.materials[static_cast<std::size_t>(part.material)].textured())
+    for (ModelVertex& v : s.vertices) v.uv = {}, v.tangent = {};
   weld(s);
   return s;
 }

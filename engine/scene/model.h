@@ -2,6 +2,7 @@
 
 #include "core/model_import.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -38,6 +39,11 @@ struct ModelMaterial {
   bool double_sided = false;
   int base_color_texture = -1, metallic_roughness_texture = -1, normal_texture = -1, occlusion_texture = -1,
       emissive_texture = -1;
+
+  bool textured() const {
+    return std::max({base_color_texture, metallic_roughness_texture, normal_texture, occlusion_texture,
+                     emissive_texture}) >= 0;
+  }
 };
 
 /// Triangles of one material: a range of Model::indices.

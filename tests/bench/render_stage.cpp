@@ -1,6 +1,7 @@
 #include "render_stage.h"
 
 #include "core/error.h"
+#include "scene/mesh_levels.h"
 #include "scene/model.h"
 
 #include <cmath>
@@ -34,7 +35,7 @@ RenderTarget target_of(const Image& image) {
           .height = static_cast<int>(image.info().height)};
 }
 
-/// A ball that is wavy, so that no two triangles face the same way.
+/// A ball that is wavy, so that no two triangles face the same way; with levels of detail, as the program loads it.
 Model wavy_ball(int triangles) {
   const auto across = static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 4.0)));
   const std::uint32_t around = 2 * across;
@@ -60,6 +61,7 @@ Model wavy_ball(int triangles) {
     }
   model.materials = {{.base_color = {0.7F, 0.4F, 0.2F, 1}, .metallic = 0.2F, .roughness = 0.5F}};
   model.parts = {{.first_index = 0, .index_count = static_cast<std::uint32_t>(model.indices.size()), .material = 0}};
+  add_levels(model);
   return model;
 }
 
