@@ -3,6 +3,9 @@
 #include "golden/solids.h"
 #include "golden/stage.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace onestroke::golden {
 namespace {
 
@@ -74,6 +77,46 @@ TEST_F(Models, AreCutByAPlane) {
                                            .world_graphics_from_model = placed(0, 0, -0.38F, -0.5F, 0),
                                            .clip_plane = ClipPlane{.a = -0.4F, .b = 0.5F, .c = -0.77F, .d = -0.29F}}};
   expect_golden("model_clip", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, HaveTheColorsOfTheirVertices) {
+  Model ring = torus(0.06F, 0.028F, paint(1, 1, 1));
+  for (ModelVertex& v : ring.vertices)
+    for (std::size_t i = 0; i < 3; ++i) v.color[i] = 0.5F + 0.45F * std::sin(60 * v.position[i] + static_cast<float>(i));
+  const std::array instances{ModelInstance{.model = renderer->load(ring),
+                                           .world_graphics_from_model = placed(0, 0, -0.35F, -0.6F, 0.3F)}};
+  expect_golden("model_vertex_colors", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, AreNotThereWhereTheirAlphaIsBelowTheCutoff) {
+  ModelMaterial grille = paint(0.9F, 0.75F, 0.3F);
+  grille.base_color_texture = 0;
+  grille.alpha_mode = ModelMaterial::AlphaMode::mask;
+  Model fence = box({0.05F, 0.05F, 0.05F}, grille);
+  fence.images = {checks(128, 6)};
+  for (std::size_t i = 0; i < fence.images[0].rgba.size(); i += 4)
+    if (fence.images[0].rgba[i] < 200) fence.images[0].rgba[i + 3] = 80;
+  const auto ball = renderer->load(torus(0.012F, 0.012F, paint(0.8F, 0.15F, 0.15F)));
+  // Something stands within, to be seen through the holes.
+  const std::array instances{
+      ModelInstance{.model = renderer->load(fence), .world_graphics_from_model = placed(0, 0, -0.4F, 0.4F, 0.6F)},
+      ModelInstance{.model = ball, .world_graphics_from_model = placed(0, 0, -0.4F, 0, 0)}};
+  expect_golden("model_alpha_mask", draw({.instances = instances}), tolerance);
+}
+
+TEST_F(Models, ShowTheirBacksWhereTheyHaveTwoSides) {
+  ModelMaterial both = paint(0.3F, 0.6F, 0.85F);
+  both.double_sided = true;
+  const auto one_sided = renderer->load(sheet(0.035F, paint(0.85F, 0.5F, 0.2F)));
+  const auto two_sided = renderer->load(sheet(0.035F, both));
+  // From the left: both from before, both from behind, where only one is left.
+  const float behind = std::numbers::pi_v<float> + 0.5F;
+  const std::array instances{
+      ModelInstance{.model = one_sided, .world_graphics_from_model = placed(-0.07F, 0.05F, -0.4F, 0, 0.5F)},
+      ModelInstance{.model = two_sided, .world_graphics_from_model = placed(-0.07F, -0.05F, -0.4F, 0, 0.5F)},
+      ModelInstance{.model = one_sided, .world_graphics_from_model = placed(0.07F, 0.05F, -0.4F, 0, behind)},
+      ModelInstance{.model = two_sided, .world_graphics_from_model = placed(0.07F, -0.05F, -0.4F, 0, behind)}};
+  expect_golden("model_double_sided", draw({.instances = instances}), tolerance);
 }
 
 TEST_F(Models, KeepTheirOutsideWhenMirrored) {
