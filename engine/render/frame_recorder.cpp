@@ -112,8 +112,9 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
   const auto sampled = [this](vk::ImageView view) {
     return vk::DescriptorImageInfo{*sampler_, view, Layout::eShaderReadOnlyOptimal};
   };
-  const std::array images{sampled(seen.picture.view()), sampled(glyphs_.view()), sampled(seen.picture.lens_view()),
-                          sampled(seen.lighting.view()), sampled(seen.fingers.view()), sampled(targets_.foreground())};
+  const std::array images{sampled(seen.picture.view()),      sampled(glyphs_.view()),
+                          sampled(seen.picture.lens_view()), sampled(seen.lighting.view()),
+                          sampled(seen.fingers.view()),      sampled(targets_.foreground())};
   // The images have neighbouring bindings, so one write fills them all.
   static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2 &&
                 BINDING_ROOM == BINDING_PICTURE + 3 && BINDING_FINGERS == BINDING_PICTURE + 4 &&

@@ -10,8 +10,8 @@ namespace onestroke {
 
 /// What a frame is drawn into. What stands in the room is drawn first, by itself, with several samples a pixel and
 /// depth, where it may be seen and nowhere else: the foreground. The picture is drawn after it, straight into the
-/// display's image, and the foreground is laid over it. So what has no edges, which is most of a frame, does not pay for
-/// smooth ones.
+/// display's image, and the foreground is laid over it. So what has no edges, which is most of a frame, does not pay
+/// for smooth ones.
 class FrameTargets {
  public:
   explicit FrameTargets(Device& device) : device_(device) {}

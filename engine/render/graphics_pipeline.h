@@ -21,7 +21,7 @@ struct PipelineRecipe {
   bool tests_depth = false;     ///< The reverse way round: nearer is greater.
   bool writes_depth = false;
   bool writes_color = true;
-  bool blends = false;        ///< Premultiplied, over what is there.
+  bool blends = false;  ///< Premultiplied, over what is there.
   /// Values of the specialisation constants from 0 on, for both shaders; those not given keep their own.
   std::vector<std::uint32_t> constants{};
   bool sets_culling = false;  ///< Culling and front face are set while recording; otherwise nothing is culled.

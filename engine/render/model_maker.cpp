@@ -80,7 +80,7 @@ glm::vec3 position_of(const ModelVertex& v) {
 GpuModel::Part part_of(const Model& model, const ModelPart& part) {
   const ModelMaterial& material = model.materials[static_cast<std::size_t>(part.material)];
   Box box;
-  for (std::uint32_t i = 0; i < part.index_count; ++i) 
+  for (std::uint32_t i = 0; i < part.index_count; ++i)
     box.add(position_of(model.vertices[model.indices[part.first_index + i]]));
   return {.first_index = part.first_index,
           .index_count = part.index_count,

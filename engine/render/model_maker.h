@@ -28,9 +28,9 @@ struct GpuModel {
   std::vector<Image> images;
   vk::raii::DescriptorPool descriptors{nullptr};
   std::vector<vk::DescriptorSet> materials;
-  std::vector<Parts> levels;  ///< The full detail first; ever coarser, the same parts in the same order.
-  std::vector<float> errors;  ///< Of each level, in the model's unit; the first is 0.
-  Box box;                    ///< Round all of it, in the model.
+  std::vector<Parts> levels;       ///< The full detail first; ever coarser, the same parts in the same order.
+  std::vector<float> errors;       ///< Of each level, in the model's unit; the first is 0.
+  Box box;                         ///< Round all of it, in the model.
   std::vector<ContactBall> balls;  ///< See contact_balls().
 };
 

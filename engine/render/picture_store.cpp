@@ -227,8 +227,8 @@ void PictureStore::record_unpacking(const vk::raii::CommandBuffer& commands) con
                                           .storeOp = vk::AttachmentStoreOp::eStore};
   commands.beginRendering(
       {.renderArea = {.extent = size}, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &color});
-  commands.setViewport(
-      0, vk::Viewport{0, 0, static_cast<float>(size.width), static_cast<float>(size.height), 0.0F, 1.0F});
+  commands.setViewport(0,
+                       vk::Viewport{0, 0, static_cast<float>(size.width), static_cast<float>(size.height), 0.0F, 1.0F});
   commands.setScissor(0, vk::Rect2D{{}, size});
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines_.at(format_));
   commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, sets_[next_], {});

@@ -29,7 +29,7 @@ struct Pipelines {
   std::array<vk::raii::Pipeline, 2> model;        ///< Writes depth; culling and front face are set while recording.
   std::array<vk::raii::Pipeline, 2> model_blend;  ///< Premultiplied over what is there; does not write depth.
   std::array<vk::raii::Pipeline, 2> model_depth;  ///< Depth alone.
-  vk::raii::Pipeline finger;       ///< As model_blend.
+  vk::raii::Pipeline finger;                      ///< As model_blend.
   vk::raii::Pipeline line;
   vk::raii::Pipeline quad;
   // To the picture.

@@ -15,9 +15,9 @@ vk::raii::ImageView make_view(Device& device, vk::Image image, const ImageInfo& 
   return device.vk().createImageView(
       {.pNext = &limit,
        .image = image,
-       .viewType = info.cube                         ? Type::eCube
+       .viewType = info.cube                       ? Type::eCube
                    : info.layers > 1 || info.array ? Type::e2DArray
-                                                     : Type::e2D,
+                                                   : Type::e2D,
        .format = format,
        .subresourceRange = {
            .aspectMask = aspect_of(format), .levelCount = VK_REMAINING_MIP_LEVELS, .layerCount = info.layers}});
@@ -52,13 +52,12 @@ Image::Image(Device& device, const ImageInfo& info) : info_(info) {
 }
 
 vk::raii::ImageView make_layer_view(Device& device, const Image& image, std::uint32_t layer) {
-  return device.vk().createImageView({.image = image.handle(),
-                                      .viewType = vk::ImageViewType::e2D,
-                                      .format = image.info().format,
-                                      .subresourceRange = {.aspectMask = aspect_of(image.info().format),
-                                                           .levelCount = 1,
-                                                           .baseArrayLayer = layer,
-                                                           .layerCount = 1}});
+  return device.vk().createImageView(
+      {.image = image.handle(),
+       .viewType = vk::ImageViewType::e2D,
+       .format = image.info().format,
+       .subresourceRange = {
+           .aspectMask = aspect_of(image.info().format), .levelCount = 1, .baseArrayLayer = layer, .layerCount = 1}});
 }
 
 void image_barrier(const vk::raii::CommandBuffer& commands, vk::Image image, LayoutChange layout, Access before,

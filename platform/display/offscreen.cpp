@@ -28,11 +28,12 @@ struct Slot {
 Slot make_slot(Device& device, int width, int height, int views) {
   Slot slot;
   const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
-  slot.image = Image(device, {.format = format,
-                              .width = w,
-                              .height = h,
-                              .layers = static_cast<std::uint32_t>(views),
-                              .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
+  slot.image =
+      Image(device, {.format = format,
+                     .width = w,
+                     .height = h,
+                     .layers = static_cast<std::uint32_t>(views),
+                     .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
   slot.bytes = Buffer(device, std::uint64_t{4} * w * h * static_cast<std::uint32_t>(views),
                       vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
   slot.target = {.image = slot.image.handle(),

@@ -82,9 +82,10 @@ TEST_F(Models, AreCutByAPlane) {
 TEST_F(Models, HaveTheColorsOfTheirVertices) {
   Model ring = torus(0.06F, 0.028F, paint(1, 1, 1));
   for (ModelVertex& v : ring.vertices)
-    for (std::size_t i = 0; i < 3; ++i) v.color[i] = 0.5F + 0.45F * std::sin(60 * v.position[i] + static_cast<float>(i));
-  const std::array instances{ModelInstance{.model = renderer->load(ring),
-                                           .world_graphics_from_model = placed(0, 0, -0.35F, -0.6F, 0.3F)}};
+    for (std::size_t i = 0; i < 3; ++i)
+      v.color[i] = 0.5F + 0.45F * std::sin(60 * v.position[i] + static_cast<float>(i));
+  const std::array instances{
+      ModelInstance{.model = renderer->load(ring), .world_graphics_from_model = placed(0, 0, -0.35F, -0.6F, 0.3F)}};
   expect_golden("model_vertex_colors", draw({.instances = instances}), tolerance);
 }
 

@@ -98,8 +98,7 @@ class PictureFormat : public Stage {
 };
 
 TEST_F(PictureFormat, Rgb) {
-  check(PixelFormat::rgb8, "format_rgb",
-        [](int x, int y) { return rgb(luma(x, y), chroma_u(x, y), chroma_v(x, y)); });
+  check(PixelFormat::rgb8, "format_rgb", [](int x, int y) { return rgb(luma(x, y), chroma_u(x, y), chroma_v(x, y)); });
 }
 
 TEST_F(PictureFormat, Gray) {
@@ -112,8 +111,7 @@ TEST_F(PictureFormat, Nv12) {
 }
 
 TEST_F(PictureFormat, Yuyv) {
-  check(PixelFormat::yuyv, "format_yuyv",
-        [](int x, int y) { return rgb(luma(x, y), chroma_u(x, y), chroma_v(x, y)); });
+  check(PixelFormat::yuyv, "format_yuyv", [](int x, int y) { return rgb(luma(x, y), chroma_u(x, y), chroma_v(x, y)); });
 }
 
 }  // namespace

@@ -30,6 +30,18 @@ double drawn_depth(const DepthSurface& surface, double x, double y) {
   return 1000 / (at(1, 1) + (1 - s) * (bottom_left - at(1, 1)) + (1 - t) * (top_right - at(1, 1)));
 }
 
+TEST(DepthSurface, FindsTheCellOfAPlace) {
+  const SurfaceAxis axis{.outer_from = -2, .from = -1, .to = 1, .outer_to = 3, .cells = 6};
+  for (int i = 0; i < axis.cells; ++i)
+    EXPECT_NEAR(axis.cell_of(0.75 * axis.at(i) + 0.25 * axis.at(i + 1)), i + 0.25, 1e-12) << i;
+  EXPECT_EQ(axis.cell_of(-5), 0);
+  EXPECT_EQ(axis.cell_of(5), axis.cells);
+  // A lens may leave nothing that is only picture.
+  const SurfaceAxis none{.outer_from = -2, .from = 0, .to = 0, .outer_to = 2, .cells = 6};
+  EXPECT_NEAR(none.cell_of(-1), 0.5, 1e-12);
+  EXPECT_NEAR(none.cell_of(1), 5.5, 1e-12);
+}
+
 TEST(DepthSurface, IsAPlaneWhereNothingIsKnown) {
   DepthSurface surface;
   surface.build(inside, bounds, {}, 450);

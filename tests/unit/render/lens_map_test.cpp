@@ -82,6 +82,26 @@ TEST(LensMap, CoversThePictureAndItsMargin) {
   }
 }
 
+TEST(LensMap, FindsWhereThereIsNothingButPicture) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const Intrinsics& k : lenses) {
+    const PlaneBounds inside = inner_bounds(k, width, height), all = picture_bounds(k, width, height, 0);
+    for (int i = 0; i < 500; ++i) {
+      const double x = inside.left + share(random) * (inside.right - inside.left);
+      const double y = inside.top + share(random) * (inside.bottom - inside.top);
+      const auto [u, v] = through_lens(k, x, y);
+      EXPECT_TRUE(u > -0.1 && u < width + 0.1 && v > -0.1 && v < height + 0.1) << u << " " << v;
+    }
+    const auto area = [](const PlaneBounds& b) { return (b.right - b.left) * (b.bottom - b.top); };
+    EXPECT_GT(area(inside), 0.6 * area(all));
+  }
+  const Intrinsics ideal = lens(60, {});
+  const PlaneBounds inside = inner_bounds(ideal, width, height), all = picture_bounds(ideal, width, height, 0);
+  EXPECT_NEAR(inside.left, all.left, 1e-12);
+  EXPECT_NEAR(inside.bottom, all.bottom, 1e-12);
+}
+
 TEST(LensMap, LimitsTheLensToWhereItDoesNotFold) {
   Intrinsics ideal = lens(60, {});
   EXPECT_GE(distortion_limit(ideal), 99);
