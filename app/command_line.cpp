@@ -84,7 +84,8 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->type_name("SPEC")
       ->check(one_of({{"window", More::none}, {"offscreen", More::must}}, "window or offscreen:DIR"));
   run.add_flag("--stereo", options.stereo, help::stereo);
-  run.add_flag("!--no-fingers", options.fingers, help::no_fingers);
+  run.add_flag_callback(
+      "--no-fingers", [&options] { options.fingers = false; }, help::no_fingers);
   run.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
   run.add_option("--catalog", options.catalog, help::run_catalog)->type_name("FILE");
   const std::map<std::string, PictureTime> modes{{"exposure", PictureTime::exposure}, {"fresh", PictureTime::fresh}};

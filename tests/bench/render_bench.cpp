@@ -35,14 +35,15 @@ constexpr std::array formats{std::pair{"rgb", PixelFormat::rgb8}, std::pair{"gra
                              std::pair{"nv12", PixelFormat::nv12}, std::pair{"yuyv", PixelFormat::yuyv}};
 constexpr std::array triangle_counts{1'000, 10'000, 50'000, 200'000};
 constexpr std::array model_counts{1, 2, 4};
+constexpr const char* in_two_passes = " in two passes";
 
 /// One stage a size, made when it is first asked for: the benchmarks take turns.
 class Stages {
  public:
   explicit Stages(Gpu& gpu) : gpu_(gpu) {}
-  RenderStage& of(const ViewSize& size) {
-    auto& stage = stages_[size.name()];
-    if (!stage) stage = std::make_unique<RenderStage>(gpu_, size.width, size.height, size.views);
+  RenderStage& of(const ViewSize& size, bool multiview = true) {
+    auto& stage = stages_[size.name() + (multiview ? "" : in_two_passes)];
+    if (!stage) stage = std::make_unique<RenderStage>(gpu_, size.width, size.height, size.views, multiview);
     return *stage;
   }
 
@@ -59,8 +60,7 @@ void add(const std::string& what, const ViewSize& size, std::function<void(State
 
 /// Frames of one scene, each with a new picture of the views' size.
 template <typename SceneOf>
-void frames(State& state, Stages& stages, const ViewSize& size, PixelFormat format, SceneOf&& scene_of) {
-  RenderStage& stage = stages.of(size);
+void frames(State& state, RenderStage& stage, const ViewSize& size, PixelFormat format, SceneOf&& scene_of) {
   const BenchPicture picture(size.width, size.height, format);
   const FrameScene scene = scene_of(stage);
   const auto frame = [&] {
@@ -96,7 +96,9 @@ void add_passthrough(Stages& stages, const ViewSize& size) {
   });
   for (const auto& [name, format] : formats)
     add(format == PixelFormat::rgb8 ? "passthrough" : std::string("passthrough ") + name, size,
-        [&stages, size, format = format](State& state) { frames(state, stages, size, format, picture_alone); });
+        [&stages, size, format = format](State& state) {
+          frames(state, stages.of(size), size, format, picture_alone);
+        });
 }
 
 std::string name_of(int models, int triangles) {
@@ -108,9 +110,21 @@ void add_models(Stages& stages, const ViewSize& size) {
   for (const int models : model_counts)
     for (const int triangles : triangle_counts)
       add(name_of(models, triangles), size, [&stages, size, models, triangles](State& state) {
-        frames(state, stages, size, PixelFormat::rgb8,
+        frames(state, stages.of(size), size, PixelFormat::rgb8,
                [=](RenderStage& stage) { return stage.scene_of(models, triangles); });
       });
+}
+
+/// The same frames without multiview, which a driver may not have: see multiview_probe.h.
+void add_two_passes(Stages& stages) {
+  const auto two_passes = [&stages](const std::string& what, auto scene_of) {
+    add(what + in_two_passes, stereo, [&stages, scene_of](State& state) {
+      frames(state, stages.of(stereo, false), stereo, PixelFormat::rgb8, scene_of);
+    });
+  };
+  two_passes("passthrough", picture_alone);
+  for (const int triangles : triangle_counts)
+    two_passes(name_of(2, triangles), [triangles](RenderStage& stage) { return stage.scene_of(2, triangles); });
 }
 
 /// Of this program, MiB, the driver with it.
@@ -196,12 +210,16 @@ int run(int argc, char** argv) {
     add_passthrough(stages, size);
   }
   for (const ViewSize& size : model_sizes) add_models(stages, size);
+  add_two_passes(stages);
   RatioReport report;
   benchmark::RunSpecifiedBenchmarks(&report);
-  std::vector<std::string> ours{"background", "passthrough again", "passthrough gray", "passthrough nv12",
-                                "passthrough yuyv"};
+  std::vector<std::string> ours{"background",       "passthrough again", "passthrough gray",
+                                "passthrough nv12", "passthrough yuyv",  std::string("passthrough") + in_two_passes};
   for (const int models : model_counts)
-    for (const int triangles : triangle_counts) ours.push_back(name_of(models, triangles));
+    for (const int triangles : triangle_counts) {
+      ours.push_back(name_of(models, triangles));
+      if (models == 2) ours.push_back(name_of(models, triangles) + in_two_passes);
+    }
   report.GetOutputStream() << "\n" << gpu.name() << "\n";
   report.print_ratios(ours, {"passthrough", "textured triangle", "cleared"});
   print(report.GetOutputStream(), endurance);

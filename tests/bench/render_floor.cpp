@@ -86,13 +86,23 @@ void RenderFloor::draw_texture() {
 }
 
 void RenderFloor::run(bool textured) {
-  const vk::Extent2D extent{static_cast<std::uint32_t>(target_.width), static_cast<std::uint32_t>(target_.height)};
   pool_.reset();
   commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
   const Access draw{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
   image_barrier(commands_, target_.image, {Layout::eUndefined, Layout::eColorAttachmentOptimal}, draw, draw);
+  for (int layer = 0; layer < target_.layers; ++layer)
+    fill(textured, target_.layer_views[static_cast<std::size_t>(layer)]);
+  commands_.end();
+  device_.vk().resetFences(*fence_);
+  const vk::CommandBufferSubmitInfo buffer{.commandBuffer = *commands_};
+  device_.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer}, *fence_);
+  vk::resultCheck(device_.vk().waitForFences(*fence_, true, UINT64_MAX), "waiting for the floor");
+}
+
+void RenderFloor::fill(bool textured, vk::ImageView layer) {
+  const vk::Extent2D extent{static_cast<std::uint32_t>(target_.width), static_cast<std::uint32_t>(target_.height)};
   const vk::RenderingAttachmentInfo attachment{
-      .imageView = target_.view,
+      .imageView = layer,
       .imageLayout = Layout::eColorAttachmentOptimal,
       .loadOp = textured ? vk::AttachmentLoadOp::eDontCare : vk::AttachmentLoadOp::eClear,
       .storeOp = vk::AttachmentStoreOp::eStore,
@@ -108,11 +118,6 @@ void RenderFloor::run(bool textured) {
     commands_.draw(3, 1, 0, 0);
   }
   commands_.endRendering();
-  commands_.end();
-  device_.vk().resetFences(*fence_);
-  const vk::CommandBufferSubmitInfo buffer{.commandBuffer = *commands_};
-  device_.queue().submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer}, *fence_);
-  vk::resultCheck(device_.vk().waitForFences(*fence_, true, UINT64_MAX), "waiting for the floor");
 }
 
 }  // namespace onestroke::bench

@@ -12,13 +12,14 @@ class RenderFloor {
   /// The device and the target outlive this.
   RenderFloor(Device& device, const RenderTarget& target);
 
-  /// The target in one colour.
+  /// The target in one colour, all its layers.
   void clear();
-  /// One triangle over the target, with an sRGB texture of the target's size looked up once a pixel.
+  /// One triangle over each of its layers, with an sRGB texture of the target's size looked up once a pixel.
   void draw_texture();
 
  private:
   void run(bool textured);
+  void fill(bool textured, vk::ImageView layer);
 
   Device& device_;
   const RenderTarget& target_;

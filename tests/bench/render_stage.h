@@ -22,8 +22,8 @@ class BenchPicture {
 /// A renderer and an image to draw into, without a display around them: a frame's own work is all that is timed.
 class RenderStage {
  public:
-  /// Views of width x height, side by side; the GPU outlives this.
-  RenderStage(Gpu& gpu, int width, int height, int views);
+  /// Views of width x height, a layer each; the GPU outlives this.
+  RenderStage(Gpu& gpu, int width, int height, int views, bool multiview = true);
 
   /// Draws and waits for the GPU. Throws Error where that fails.
   void draw(const FrameScene& scene);
@@ -36,6 +36,7 @@ class RenderStage {
  private:
   Gpu& gpu_;
   Image image_;
+  std::array<vk::raii::ImageView, max_views> layers_{nullptr, nullptr};
   RenderTarget target_;
   RenderFloor floor_;
   Renderer renderer_;

@@ -49,6 +49,18 @@ TEST_F(OverlaysStereo, GiveEachEyeItsView) {
   expect_golden("stereo", draw(pair.scene()), {.level = 3, .pixels = 120});
 }
 
+TEST_F(OverlaysStereo, LookTheSameInOnePassAsInTwo) {
+  const Chart chart(width, height, PixelFormat::rgb8, fov);
+  const auto drawn = [&](bool multiview) {
+    renderer = std::make_unique<Renderer>(*gpu, RendererOptions{.multiview = multiview});
+    renderer->set_picture(chart.picture);
+    const Pair pair(*renderer);
+    return draw(pair.scene());
+  };
+  const auto result = compare(drawn(false), drawn(true), {.level = 1});
+  EXPECT_TRUE(result.same) << result.words;
+}
+
 TEST_F(Overlays, SetTextOfAllSizesCrisply) {
   const std::array labels{
       Label{.text = "20 mm: Ångström Øß Žluťoučký µm ° ± → Δ", .position_world = {0, -120, 450}, .height_mm = 14},

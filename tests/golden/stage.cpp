@@ -48,19 +48,18 @@ Stage::Stage(int views) : views_(views) {
   display_ =
       std::make_unique<OffscreenDisplay>(OffscreenOptions{.width = width * views, .height = height, .views = views});
   // The one whose pictures the golden ones are, whatever else the machine has.
-  Gpu gpu({.needs = display_->needs(),
-           .validation = true,
-           .validation_messages = &validation_messages_,
-           .gpu = "llvmpipe"});
-  drawn_by_ = gpu.name();
-  display_->attach(gpu);
-  renderer = std::make_unique<Renderer>(gpu);
+  gpu.emplace(GpuOptions{
+      .needs = display_->needs(), .validation = true, .validation_messages = &validation_messages_, .gpu = "llvmpipe"});
+  drawn_by_ = gpu->name();
+  display_->attach(*gpu);
+  renderer = std::make_unique<Renderer>(*gpu);
 }
 
 void Stage::TearDown() {
   display_->finish();
   renderer.reset();
   display_.reset();
+  gpu.reset();
   EXPECT_EQ(validation_messages_, 0);
 }
 

@@ -39,6 +39,7 @@ class Stage : public testing::Test {
   int views_;
   std::atomic<int> validation_messages_{0};
   std::unique_ptr<OffscreenDisplay> display_;
+  std::optional<Gpu> gpu;
   std::unique_ptr<Renderer> renderer;
   std::string drawn_by_;
 };
