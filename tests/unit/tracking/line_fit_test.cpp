@@ -85,6 +85,38 @@ TEST(LineFit, FingersDoNotDrawItAway) {
   }
 }
 
+// The mean of the outline's standard deviations, pixels.
+double outline_sigma(const Shot& shot, const RodModel& rod, const Inks& inks, const Pose& truth) {
+  LineSet set;
+  measure_lines({shot.view(), shot.intrinsics, {}}, rod, inks, {to_eigen(truth)}, {}, set);
+  double sum = 0;
+  int count = 0;
+  for (const LineMeasurement& m : set.lines) {
+    if (m.ring()) continue;
+    sum += m.sigma;
+    ++count;
+  }
+  EXPECT_GT(count, 40);
+  return sum / count;
+}
+
+TEST(LineFit, WhatChangesBehindTheRodLeavesItsOutlineUnsure) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  const Pose truth = random_view(random);
+  Shot shot = shoot(marker, truth, {.noise = 0});
+  const Inks inks = inks_at(shot, rod, truth);
+  const double even = outline_sigma(shot, rod, inks, truth);
+  // Light that grows by four levels a pixel, again and again, and falls back.
+  for (int y = 0; y < shot.image.height; ++y)
+    for (int x = 0; x < 3 * shot.image.width; ++x) {
+      std::uint8_t& v = shot.image.rgb[static_cast<std::size_t>(3 * y * shot.image.width + x)];
+      v = static_cast<std::uint8_t>(std::min(255, v + 4 * std::abs((y + x / 3) % 32 - 16)));
+    }
+  EXPECT_GT(outline_sigma(shot, rod, inks, truth), 1.2 * even);
+}
+
 TEST(LineFit, WhereNothingIsNothingIsFound) {
   const MarkerSpec marker = angle_marker(2);
   const RodModel rod(marker);
