@@ -12,6 +12,8 @@ struct Detection {
   Appearance appearance;
   Inks inks;
   double likelihood = 0;  ///< PhotometricFit's, where its whole look proved it.
+  /// What was expected of the pose is counted in: where the picture tells nothing of it, it is that.
+  bool as_expected = false;
   /// Where the shutter rolls, how it moves: see Motion; and the covariance of both, angular first.
   bool moving = false;
   Vec3d angular = Vec3d::Zero(), linear = Vec3d::Zero();

@@ -23,6 +23,9 @@ struct EdgeStep {
   /// Weights whose sum over a step tells by how much the offset that is found for it grows with the offset that it has:
   /// as much where it is as wide as this one, more where it is steeper.
   std::array<float, samples> gain{};
+  /// The offset that is found for a step in its place where the colour past it rises by the step's own height from one
+  /// reach away to two, and as evenly before.
+  float ramp = 0;
   EdgeStep() {
     double square = 0;
     std::array<double, samples> slope{}, height{};
@@ -43,6 +46,10 @@ struct EdgeStep {
       own += static_cast<double>(gain[i]) * height[i];
     }
     for (float& g : gain) g /= static_cast<float>(own);
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double x = spacing * (static_cast<double>(i) - samples / 2);
+      ramp += weight[i] * static_cast<float>(height[i] * (x - 1));
+    }
   }
 
   /// Where a Gaussian step lies for which the weights found an offset and a gain, whatever its own blur: they found the

@@ -2,6 +2,7 @@
 
 #include "core/pose_history.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace onestroke {
@@ -22,6 +23,11 @@ constexpr double expected_turn = 0.15, expected_shift = 60;
 constexpr double usual = 0.3;
 // A jerk, half as much again as the usual acceleration, and what noise adds to the prediction.
 constexpr double jerk = 1.5, turn_slack = 0.12, shift_slack = 10;
+
+// What a picture told by itself, where what was expected is counted in.
+Matrix6d told_alone(const Matrix6d& together, const Matrix6d& expected) {
+  return covariance_of(together.inverse() - expected.inverse());
+}
 
 }  // namespace
 
@@ -60,7 +66,8 @@ void Follower::measured(Time t, const PoseMeasurement& measurement, const Inks& 
   if (!goes_on) filter_.clear();
   const PoseFilter::Estimate& now = filter_.add(measurement, sharp);
   if (goes_on)
-    motion_.add(now.pose, now.covariance, dt);
+    motion_.add(now.pose,
+                measurement.as_expected ? told_alone(now.covariance, expectation(t).covariance) : now.covariance, dt);
   else
     motion_.start(now.pose, now.covariance, velocity);
   phase_ = Phase::followed;
@@ -73,11 +80,15 @@ MotionPrior Follower::motion_prior(Time t) const {
   MotionPrior prior;
   if (!motion_.moving()) return prior;
   const double dt = (t - last_).seconds();
-  prior.turn = expected_turn;
-  prior.shift = expected_shift;
+  prior.pose_information.diagonal().head<3>().setConstant(1 / (expected_turn * expected_turn));
+  prior.pose_information.diagonal().tail<3>().setConstant(1 / (expected_shift * expected_shift));
   prior.angular = std::min(prior.angular, usual * angular_acceleration * dt);
   prior.linear = std::min(prior.linear, usual * linear_acceleration * dt);
   return prior;
+}
+
+PoseMeasurement Follower::expectation(Time t) const {
+  return {predict(t), motion_.predicted_variance((t - last_).seconds()).asDiagonal()};
 }
 
 void Follower::missed(Time t, const TrackerOptions& options) {

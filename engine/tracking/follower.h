@@ -42,6 +42,8 @@ class Follower {
   Velocity velocity() const { return motion_.velocity(); }
   /// How certain the velocity is at a time.
   MotionPrior motion_prior(Time t) const;
+  /// predict() with what it is off by as MotionFilter expects.
+  PoseMeasurement expectation(Time t) const;
   /// Covariance of the prediction, world axes: the last measurement's, grown with the time since.
   Matrix6d predicted_covariance(Time t) const;
 

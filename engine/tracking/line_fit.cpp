@@ -2,6 +2,7 @@
 
 #include "tracking/line_solver.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 
 namespace onestroke {
@@ -33,18 +34,23 @@ void take_velocity(const TimedView& view, const LineFit& fit, Detection& d) {
   d.velocity_covariance = fit.covariance.bottomRightCorner<6, 6>();
 }
 
+void MotionPrior::add(const EigenPose& told, const Matrix6d& covariance) {
+  const Matrix6d information = covariance.inverse();
+  pose_information += information;
+  pose = pose ? perturbed(*pose, pose_information.ldlt().solve(information * perturbation(*pose, told))) : told;
+}
+
 LineFit LineFitter::fit(const TimedView& view, const RodModel& rod, const Inks& inks, const Motion& start,
                         const MotionPrior& prior, std::span<const LineOptions> passes) {
   LineFit fit;
   fit.motion = start;
-  line_solver::Vector12d information;
-  information.head<3>().setConstant(1 / (prior.turn * prior.turn));
-  information.segment<3>(3).setConstant(1 / (prior.shift * prior.shift));
-  information.segment<3>(6).setConstant(1 / (prior.angular * prior.angular));
-  information.tail<3>().setConstant(1 / (prior.linear * prior.linear));
+  Matrix12d information = Matrix12d::Zero();
+  information.topLeftCorner<6, 6>() = prior.pose_information;
+  information.diagonal().segment<3>(6).setConstant(1 / (prior.angular * prior.angular));
+  information.diagonal().tail<3>().setConstant(1 / (prior.linear * prior.linear));
   const auto pass = [&]<int N>(std::integral_constant<int, N>, const LineOptions& options) {
     line_solver::Vector12d mean;
-    mean.head<6>() = perturbation(fit.motion.pose, start.pose);
+    mean.head<6>() = perturbation(fit.motion.pose, prior.pose.value_or(start.pose));
     mean.segment<3>(6) = start.angular - fit.motion.angular;
     mean.tail<3>() = start.linear - fit.motion.linear;
     line_solver::LineSolver<N> solver(set_, mean, information, memory_);

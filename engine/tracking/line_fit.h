@@ -4,7 +4,7 @@
 #include "tracking/ring_lines.h"
 
 #include <array>
-#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,11 +12,16 @@ namespace onestroke {
 
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
-/// What is known of a motion before the picture, as standard deviations: of the pose (radians, millimetres), by default
-/// nothing, and of the velocity (rad/s, mm/s), by default that of hands at work.
+/// What is known of a motion besides a picture's edges: of the pose, by default nothing, as the inverse of its
+/// covariance in the order of perturbed(), and of the velocity as standard deviations (rad/s, mm/s), by default those
+/// of hands at work.
 struct MotionPrior {
-  double turn = std::numeric_limits<double>::infinity(), shift = std::numeric_limits<double>::infinity();
+  Matrix6d pose_information = Matrix6d::Zero();
+  std::optional<EigenPose> pose = std::nullopt;  ///< That this is about; if none, the one where a fit starts.
   double angular = 3, linear = 500;
+
+  /// Takes in what something else tells of the pose.
+  void add(const EigenPose& told, const Matrix6d& covariance);
 };
 
 struct LineFit {

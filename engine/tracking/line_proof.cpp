@@ -23,6 +23,8 @@ constexpr double far_for_last = 0.4;
 constexpr int max_more = 2;
 constexpr std::array<LineOptions, 2> settling_passes{{{7, 8, 3, 16}, {4, 8, 3, 16}}};
 constexpr int max_settlings = 3;
+// From as far off as a prediction and the whole look leave a pose, to all that the edges tell.
+constexpr std::array<LineOptions, 3> measuring_passes{{{8}, {5}, {4, 1.2, 80, 1.7}}};
 constexpr double settled_share = 0.68;
 
 // Whether all cells of the straight arms are long in the picture: none points towards the camera, and none is far.
@@ -113,6 +115,18 @@ bool LineProof::prove(const TimedView& view, int marker, const RodModel& rod, co
   if (believed) take_velocity(view, fit, d);
   detection = std::move(d);
   return believed;
+}
+
+bool LineProof::measure(const TimedView& view, const RodModel& rod, const Motion& start, const MotionPrior& known,
+                        Detection& d) {
+  const LineFit fit = fitter_.fit(view, rod, d.inks, start, known, measuring_passes);
+  if (!fit.settled()) return false;
+  d.refinement.pose = fit.motion.pose;
+  d.refinement.covariance = fit.pose_covariance();
+  d.refinement.valid = true;
+  d.as_expected = true;
+  take_velocity(view, fit, d);
+  return true;
 }
 
 }  // namespace onestroke

@@ -25,6 +25,11 @@ class LineProof {
   bool prove(const TimedView& view, int marker, const RodModel& rod, const Motion& expected, const MotionPrior& prior,
              const Inks& inks, Detection& detection, Nearness nearness = Nearness::roughly);
 
+  /// Measures the pose of a detection by all that its ring edges, its outline and what else is known tell together.
+  /// Says nothing of whether it is the marker's. False where the edges do not agree, which leaves it as it is.
+  bool measure(const TimedView& view, const RodModel& rod, const Motion& start, const MotionPrior& known,
+               Detection& detection);
+
  private:
   LineFitter fitter_;
 };

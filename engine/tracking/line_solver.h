@@ -46,8 +46,11 @@ class LineSolver {
   using Vector = Eigen::Matrix<double, N, 1>;
   using Matrix = Eigen::Matrix<double, N, N>;
 
-  LineSolver(const LineSet& set, const Vector12d& prior_mean, const Vector12d& prior_information, LineMemory& memory)
-      : set_(set), memory_(memory), mean_(prior_mean.head<N>()), information_(prior_information.head<N>()) {}
+  LineSolver(const LineSet& set, const Vector12d& prior_mean, const Matrix12d& prior_information, LineMemory& memory)
+      : set_(set),
+        memory_(memory),
+        mean_(prior_mean.head<N>()),
+        information_(prior_information.topLeftCorner<N, N>()) {}
 
   bool solve(int reweightings) {
     gather();
@@ -57,10 +60,10 @@ class LineSolver {
       if (ring_weight_ < 6) return false;
       eliminate_growths();
       hessian_ = squares_.template topLeftCorner<N, N>();
-      hessian_.diagonal() += information_;
+      hessian_ += information_;
       const Eigen::LLT<Matrix, Eigen::Lower> factors(hessian_);
       if (factors.info() != Eigen::Success) return false;
-      delta_ = factors.solve(squares_.row(at_offset).template head<N>().transpose() + information_.cwiseProduct(mean_));
+      delta_ = factors.solve(squares_.row(at_offset).template head<N>().transpose() + information_ * mean_);
       if (!delta_.allFinite()) return false;
       tell_growths();
     }
@@ -264,7 +267,8 @@ class LineSolver {
 
   const LineSet& set_;
   LineMemory& memory_;
-  const Vector mean_, information_;
+  const Vector mean_;
+  const Matrix information_;
   Vector delta_ = Vector::Zero();
   std::array<double, growths> grown_{};
   Matrix hessian_ = Matrix::Zero();  // Lower triangle.

@@ -36,13 +36,18 @@ int arm_in_sight(const RodModel& rod, const Appearance& a) {
   return best;
 }
 
+// The angle about one arm that a rod's thickness at the end of the other is.
+double thickness_at_end(const RodModel& rod) {
+  return 2 * rod.radius() / rod.bounding_radius();
+}
+
 // The fit with the roll about an arm as expected, and as uncertain as a rod's thickness at the end of the other arm
 // makes it.
 void expect_roll(const RodModel& rod, int cell, const EigenPose& expected, Refinement& r) {
   const Vec3d axis = r.pose.R * rod.middle(cell).tangent;
   const Eigen::AngleAxisd off(r.pose.R * expected.R.transpose());
   r.pose = roll_about(rod, r.pose, cell, -off.angle() * off.axis().dot(axis));
-  const double sigma = 2 * rod.radius() / rod.bounding_radius();
+  const double sigma = thickness_at_end(rod);
   // The marker's origin turns about the arm's axis too.
   Eigen::Matrix<double, 6, 1> roll;
   roll << axis, axis.cross(r.pose.t - r.pose * rod.middle(cell).centre);
@@ -83,6 +88,11 @@ bool shows(const Appearance& a) {
   return a.agrees >= min_agreeing && agreeing_per_contradiction * a.contradicts <= a.agrees;
 }
 
+// Enough of either arm to tell its roll, if only just.
+bool shows_little(const PhotometricFit& fit, const Appearance& a) {
+  return fit.weakest_arm >= min_arm && a.weakest_share >= min_share;
+}
+
 bool one_arm_shows(const RodModel& rod, const Appearance& a) {
   return a.in_sight <= one_arm * rod.cell_count() && a.agrees >= shown * a.in_sight;
 }
@@ -102,7 +112,7 @@ bool prove_by_look(const Levels& levels, const Intrinsics& intrinsics, int marke
   d.likelihood = fit.likelihood;
   if (!shows(d.appearance)) return false;
   if (rod.has_roll() && fit.weakest_arm < sure_arm) {
-    const bool little = fit.weakest_arm >= min_arm && d.appearance.weakest_share >= min_share;
+    const bool little = shows_little(fit, d.appearance);
     const int cell = arm_in_sight(rod, d.appearance);
     Detection rolled = d;
     expect_roll(rod, cell, expected, rolled.refinement);
@@ -118,6 +128,20 @@ bool prove_by_look(const Levels& levels, const Intrinsics& intrinsics, int marke
     return false;
   detection = std::move(d);
   return true;
+}
+
+bool shows_look(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, double turn_sigma,
+                Detection& d) {
+  const EigenPose& pose = d.refinement.pose;
+  const Surroundings around(image, intrinsics, rod, pose);
+  const PhotometricFit look = fit_photometric(image, intrinsics, rod, d.inks, around, pose, {.fit = false});
+  if (!proven(look)) return false;
+  d.appearance = assess(image, intrinsics, rod, d.inks, pose);
+  d.likelihood = look.likelihood;
+  if (!shows(d.appearance)) return false;
+  if (!rod.has_roll() || look.weakest_arm >= sure_arm || shows_little(look, d.appearance)) return true;
+  const LikelihoodMeter meter(image, intrinsics, rod, d.inks, around);
+  return turn_sigma < thickness_at_end(rod) && hidden(meter, pose, arm_in_sight(rod, d.appearance));
 }
 
 }  // namespace onestroke

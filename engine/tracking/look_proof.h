@@ -17,4 +17,11 @@ enum class LookStarts { expected, tilted_too };
 bool prove_by_look(const Levels& levels, const Intrinsics& intrinsics, int marker, const RodModel& rod,
                    const EigenPose& expected, const Inks& inks, Detection& detection, LookStarts starts);
 
+/// Whether the whole look proves the pose that a detection has, by its inks; its appearance and likelihood are filled
+/// in. A small part of what prove_by_look() costs. Where an arm shows nothing, which may be covered, the roll about the
+/// other one is that of the pose: it must have been expected, with this standard deviation of a turn, and so certainly
+/// that the arm's end would not be a rod's thickness off.
+bool shows_look(const ImageView& image, const Intrinsics& intrinsics, const RodModel& rod, double turn_sigma,
+                Detection& detection);
+
 }  // namespace onestroke

@@ -49,6 +49,13 @@ Eigen::Matrix3d drift(double jerk, double h) {
   return jerk * jerk * q;
 }
 
+// The covariance after a time.
+Eigen::Matrix3d carried(const Eigen::Matrix3d& covariance, const Push& push, double jerk, double seconds) {
+  Eigen::Matrix3d passing;
+  passing << 1, seconds, push.place, 0, 1, push.velocity, 0, 0, push.left;
+  return passing * covariance * passing.transpose() + drift(jerk, seconds);
+}
+
 }  // namespace
 
 void MotionFilter::start(const Pose& pose, const Matrix6d& covariance, const Velocity* velocity) {
@@ -69,12 +76,10 @@ void MotionFilter::add(const Pose& pose, const Matrix6d& covariance, double seco
   const Push push(seconds);
   const Vec3 turn = log_so3(pose.rotation * expected.rotation.conjugate());
   Velocity off{turn, pose.translation - expected.translation}, correction;
-  Eigen::Matrix3d passing;
-  passing << 1, seconds, push.place, 0, 1, push.velocity, 0, 0, push.left;
   for (std::size_t axis = 0; axis < 6; ++axis) {
     Covariance& c = covariance_[axis];
     const Hand& of = hand(axis);
-    c = passing * c * passing.transpose() + drift(of.jerk, seconds);
+    c = carried(c, push, of.jerk, seconds);
     const double measured = variance(covariance, axis) + of.bias * of.bias;
     const Eigen::Vector3d gain = c.col(0) / (c(0, 0) + measured);
     c -= gain * Eigen::RowVector3d(c.row(0));
@@ -97,6 +102,14 @@ Pose MotionFilter::predict(double seconds) const {
   const Velocity mean{velocity_.angular + share * acceleration_.angular,
                       velocity_.linear + share * acceleration_.linear};
   return advance(pose_, mean, Duration::from_seconds(seconds));
+}
+
+Eigen::Matrix<double, 6, 1> MotionFilter::predicted_variance(double seconds) const {
+  Eigen::Matrix<double, 6, 1> variances;
+  for (std::size_t axis = 0; axis < 6; ++axis)
+    variances[static_cast<Eigen::Index>(axis)] =
+        carried(covariance_[axis], Push(seconds), hand(axis).jerk, seconds)(0, 0);
+  return variances;
 }
 
 }  // namespace onestroke

@@ -24,6 +24,8 @@ class MotionFilter {
   const Velocity& velocity() const { return velocity_; }
   /// The pose after `seconds`.
   Pose predict(double seconds) const;
+  /// The variances of that, about and along the world's axes.
+  Eigen::Matrix<double, 6, 1> predicted_variance(double seconds) const;
 
  private:
   // Of place, velocity and acceleration about one axis.

@@ -12,6 +12,7 @@ namespace onestroke {
 struct PoseMeasurement {
   Pose pose;
   Matrix6d covariance = Matrix6d::Zero();
+  bool as_expected = false;  ///< Detection's.
 };
 
 /// What the last measurements of one pose say together: the weighted mean of the longest run of them, from the newest

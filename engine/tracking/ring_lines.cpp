@@ -226,11 +226,25 @@ class LineMeter {
 
   ColorLanes at(const Spot& p) const { return sample_lanes(image_, p.u, p.v); }
 
+  // What an outline's offset is off by, reaches, if what is behind the rod changes up to the rod as it does one reach
+  // further out. Nobody knows whether it does.
+  double unevenness(const Spot& further, const ColorLanes& behind, const ColorLanes& difference) const {
+    if (!contains(further)) return 0;
+    const ColorLanes heavy = weighted(difference), change = linear(at(further)) - behind;
+    return static_cast<double>(edge_step().ramp * cv::v_reduce_sum(heavy * change) /
+                               cv::v_reduce_sum(heavy * difference));
+  }
+
+  static const EdgeStep& edge_step() {
+    static const EdgeStep step;
+    return step;
+  }
+
   // How far along the line past px the colour, in linear light, steps by a difference from what it is at a; beyond the
   // reach where it does not.
   double step_offset(const Spot& px, const Spot& to_a, const Spot& to_b, double reach, const ColorLanes& at_a,
                      const ColorLanes& difference) const {
-    static const EdgeStep step;
+    const EdgeStep& step = edge_step();
     constexpr std::size_t half = EdgeStep::samples / 2;
     const double spacing = EdgeStep::spacing * reach;
     const auto on_a = PicturePoint::step(spacing * to_a.u, spacing * to_a.v);
@@ -338,7 +352,8 @@ class LineMeter {
     if (!tell_slope(x, px, here.tangent, normal, m, across)) return;
     const double along = step_offset(px, -1 * normal, normal, reach, ink, other);
     if (std::abs(along) >= reach) return;
-    m.sigma = outline_sigma;
+    const double uneven = reach * unevenness(outside + reach * normal, behind, other);
+    m.sigma = std::sqrt(outline_sigma * outline_sigma + uneven * uneven);
     m.cell = c;
     add(m, across, along, {outline_growth + 2 * std::clamp(rod_.arm_of(c), 0, 1) + (sine > 0 ? 1 : 0), 1});
   }

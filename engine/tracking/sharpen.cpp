@@ -42,6 +42,7 @@ bool Sharpener::sharpen(const TimedView& view, const RodModel& rod, Detection& d
   if (angle_between(before, fit.motion.pose) > (view.clock.rolls() ? max_rolling_turn : max_turn)) return false;
   d.refinement.pose = fit.motion.pose;
   d.refinement.covariance = covariance;
+  d.as_expected = false;
   take_velocity(view, fit, d);
   return true;
 }

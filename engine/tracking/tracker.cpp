@@ -26,12 +26,13 @@ Velocity in_camera(const Velocity& v, const Pose& T_world_camera) {
   return {rotate(to_camera, v.angular), rotate(to_camera, v.linear)};
 }
 
-PoseMeasurement in_world(const Refinement& r, const Pose& T_world_camera) {
-  return {T_world_camera * from_eigen(r.pose), turned(r.covariance, T_world_camera.rotation)};
+PoseMeasurement in_world(const Detection& d, const Pose& T_world_camera) {
+  const Refinement& r = d.refinement;
+  return {T_world_camera * from_eigen(r.pose), turned(r.covariance, T_world_camera.rotation), d.as_expected};
 }
 
 // As in_camera(), the other way round.
-Velocity in_world(const Detection& d, const Pose& T_world_camera) {
+Velocity velocity_in_world(const Detection& d, const Pose& T_world_camera) {
   const auto turned = [&](const Vec3d& v) { return rotate(T_world_camera.rotation, Vec3{v.x(), v.y(), v.z()}); };
   return {turned(d.angular), turned(d.linear)};
 }
@@ -58,6 +59,23 @@ double shift_in_picture(const Intrinsics& k, const RodModel& rod, const EigenPos
 
 // A pose that is less certain than this, radians, is measured by all lines.
 constexpr double vague_turn = 0.008;
+
+// What the whole look errs by is not noise, which its covariance tells of, but covers, shade and gleams, alike all over
+// a cell or an arm: in pictures of which the truth is known, times what the covariance tells.
+constexpr double look_errs = 6;
+
+// What is known of a marker before its picture, camera axes.
+struct Expectation {
+  Motion motion;
+  MotionPrior prior;  // Of nothing that would keep few lines from what they show.
+  Matrix6d covariance;
+
+  MotionPrior known() const {
+    MotionPrior k{.angular = prior.angular, .linear = prior.linear};
+    k.add(motion.pose, covariance);
+    return k;
+  }
+};
 
 bool shows_well(const Detection& d) {
   constexpr double share = 0.8;
@@ -110,13 +128,13 @@ class Tracker::Impl {
 
   // A pose that no hand could have brought about is a mistake, however well it fits: what is followed goes on as
   // predicted, and once it counts as lost any pose is as good as another.
-  void take(const Picture& picture, const Detection& d, const Refinement* sharp = nullptr) {
+  void take(const Picture& picture, const Detection& d, const Detection* sharp = nullptr) {
     const auto m = static_cast<std::size_t>(d.marker);
-    const PoseMeasurement measured = in_world(d.refinement, picture.T_world_camera);
+    const PoseMeasurement measured = in_world(d, picture.T_world_camera);
     if (!followers_[m].plausible(time_, measured.pose)) return;
     found_[m] = true;
     measured_.push_back(d);
-    const Velocity seen = in_world(d, picture.T_world_camera);
+    const Velocity seen = velocity_in_world(d, picture.T_world_camera);
     const PoseMeasurement sharper = sharp ? in_world(*sharp, picture.T_world_camera) : PoseMeasurement{};
     followers_[m].measured(time_, measured, d.inks, tells_velocity(d) ? &seen : nullptr, sharp ? &sharper : nullptr);
   }
@@ -137,7 +155,7 @@ class Tracker::Impl {
       // A few lines tell little of an arm that points at the camera.
       if (d.refinement.covariance.topLeftCorner<3, 3>().trace() > vague_turn * vague_turn)
         sharpener_.sharpen(view, detector_.rod(d.marker), d);
-      take(picture, d, m == to_sharpen && sharpen(view, d, sharp) ? &sharp.refinement : nullptr);
+      take(picture, d, m == to_sharpen && sharpen(view, d, sharp) ? &sharp : nullptr);
     }
   }
 
@@ -147,14 +165,11 @@ class Tracker::Impl {
     const int marker = static_cast<int>(m);
     const RodModel& rod = detector_.rod(marker);
     const Pose T_camera_world = inverse(picture.T_world_camera);
-    const Velocity velocity = in_camera(f.velocity(), picture.T_world_camera);
-    const Motion moving{to_eigen(T_camera_world * f.predict(time_)), to_eigen(velocity.angular),
-                        to_eigen(velocity.linear)};
+    const Expectation expected = expectation(picture, f);
     // A hand that stops at once is as likely as one that a bad measurement made seem to move.
     const Motion still{to_eigen(T_camera_world * f.last_seen())};
-    const MotionPrior prior = f.motion_prior(time_);
     const auto off = [&](const EigenPose& pose) {
-      return shift_in_picture(picture.intrinsics, rod, pose, moving.pose);
+      return shift_in_picture(picture.intrinsics, rod, pose, expected.motion.pose);
     };
     // What came as predicted, or hardly moves, will be near again.
     const double surprise = std::min(surprise_[m], off(still.pose));
@@ -162,7 +177,9 @@ class Tracker::Impl {
                               : surprise < max_slow_shift  ? Nearness::nearly
                               : surprise < max_usual_shift ? Nearness::loosely
                                                            : Nearness::roughly;
-    const auto look = [&](Nearness n) { return lines_.prove(view, marker, rod, moving, prior, f.inks(), d, n); };
+    const auto look = [&](Nearness n) {
+      return lines_.prove(view, marker, rod, expected.motion, expected.prior, f.inks(), d, n);
+    };
     if (look(nearness) || (nearness != Nearness::roughly && look(Nearness::roughly))) {
       surprise_[m] = off(d.refinement.pose);
       return true;
@@ -174,16 +191,52 @@ class Tracker::Impl {
     Detection here;
     const bool stayed = lines_.prove(view, marker, rod, still, {}, f.inks(), here);
     const auto by_look = [&](const EigenPose& pose, LookStarts starts) {
-      return prove_by_look(levels(view), picture.intrinsics, marker, rod, pose, f.inks(), d, starts);
+      if (!prove_by_look(levels(view), picture.intrinsics, marker, rod, pose, f.inks(), d, starts)) return false;
+      measure_look(view, expected, d);
+      return true;
     };
     if (!stayed || !shows_well(here)) {
-      if (detector_.prove(levels(view), picture.intrinsics, marker, moving.pose, f.inks(), d)) return true;
-      if (by_look(moving.pose, led ? LookStarts::expected : LookStarts::tilted_too)) return true;
+      const EigenPose& pose = expected.motion.pose;
+      if (detector_.prove(levels(view), picture.intrinsics, marker, pose, f.inks(), d)) return true;
+      if (prove_by_all_lines(view, marker, expected, f.inks(), d)) return true;
+      if (by_look(pose, led ? LookStarts::expected : LookStarts::tilted_too)) return true;
       if (led && by_look(led_to, LookStarts::tilted_too)) return true;
     }
     if (!stayed) return by_look(still.pose, LookStarts::expected);
     d = std::move(here);
     return true;
+  }
+
+  Expectation expectation(const Picture& picture, const Follower& f) const {
+    const Pose T_camera_world = inverse(picture.T_world_camera);
+    const Velocity velocity = in_camera(f.velocity(), picture.T_world_camera);
+    const PoseMeasurement there = f.expectation(time_);
+    return {{to_eigen(T_camera_world * there.pose), to_eigen(velocity.angular), to_eigen(velocity.linear)},
+            f.motion_prior(time_),
+            turned(there.covariance, T_camera_world.rotation)};
+  }
+
+  // Where the edges that show are too few to prove the marker, they still measure it, with what was expected, and
+  // better than its whole look, which then only judges.
+  bool prove_by_all_lines(const TimedView& view, int marker, const Expectation& expected, const Inks& inks,
+                          Detection& detection) {
+    const RodModel& rod = detector_.rod(marker);
+    Detection d{marker, {}, {}, inks};
+    const double turn_sigma = std::sqrt(expected.covariance.topLeftCorner<3, 3>().diagonal().maxCoeff());
+    if (!lines_.measure(view, rod, expected.motion, expected.known(), d) ||
+        !shows_look(view.image, view.intrinsics, rod, turn_sigma, d))
+      return false;
+    detection = std::move(d);
+    return true;
+  }
+
+  // A pose that the whole look proved, by edges too.
+  void measure_look(const TimedView& view, const Expectation& expected, Detection& d) {
+    Motion start = expected.motion;
+    start.pose = d.refinement.pose;
+    MotionPrior known = expected.known();
+    known.add(d.refinement.pose, look_errs * look_errs * d.refinement.covariance);
+    lines_.measure(view, detector_.rod(d.marker), start, known, d);
   }
 
   // All that a picture tells of a marker is worth its cost where it stands still: every few pictures it is the next

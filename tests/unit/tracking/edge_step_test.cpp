@@ -37,6 +37,20 @@ TEST(EdgeStep, PutsRightWhatIsSteeperOrFlatter) {
       EXPECT_NEAR(found(offset, blur), offset, 0.002) << offset << ", as wide as " << blur;
 }
 
+// Past the step the colour changes by 0.2 of it in each reach, and is its own one reach on.
+TEST(EdgeStep, TellsWhatAColourThatGoesOnChangingMovesItBy) {
+  constexpr double slope = 0.2;
+  const EdgeStep step;
+  double sum = -static_cast<double>(step.level);
+  for (int i = 0; i < EdgeStep::samples; ++i) {
+    const double x = EdgeStep::spacing * (i - EdgeStep::samples / 2);
+    const double height = 0.5 * std::erfc(-x / EdgeStep::blur / std::numbers::sqrt2);
+    sum += static_cast<double>(step.weight[static_cast<std::size_t>(i)]) * height * (1 + slope * (x - 1));
+  }
+  EXPECT_NEAR(sum, slope * static_cast<double>(step.ramp), 1e-6);
+  EXPECT_GT(step.ramp, 0.3F) << "of a reach";
+}
+
 TEST(EdgeStep, KeepsTheOrderOfOffsets) {
   for (const double blur : {0.2, 0.4, 0.6})
     for (double offset = -0.5; offset < 0.45; offset += 0.1) EXPECT_LT(found(offset, blur), found(offset + 0.1, blur));

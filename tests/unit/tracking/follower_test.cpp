@@ -137,5 +137,17 @@ TEST(Follower, PredictionsGrowUncertainWithTime) {
   }
 }
 
+// What was expected is no measurement when it comes back.
+TEST(Follower, IsNoSurerForWhatItExpectedItself) {
+  Follower f = followed({0, 33, 66, 99, 132});
+  const double before = f.expectation(at_ms(165)).covariance(0, 0);
+  for (int ms = 165; ms < 300; ms += 33) {
+    PoseMeasurement same = f.expectation(at_ms(ms));
+    same.as_expected = true;
+    f.measured(at_ms(ms), same, {});
+  }
+  EXPECT_GT(f.expectation(at_ms(330)).covariance(0, 0), 9 * before);
+}
+
 }  // namespace
 }  // namespace onestroke::test

@@ -85,6 +85,85 @@ TEST(LineFit, FingersDoNotDrawItAway) {
   }
 }
 
+// The mean of the outline's standard deviations, pixels.
+double outline_sigma(const Shot& shot, const RodModel& rod, const Inks& inks, const Pose& truth) {
+  LineSet set;
+  measure_lines({shot.view(), shot.intrinsics, {}}, rod, inks, {to_eigen(truth)}, {}, set);
+  double sum = 0;
+  int count = 0;
+  for (const LineMeasurement& m : set.lines) {
+    if (m.ring()) continue;
+    sum += m.sigma;
+    ++count;
+  }
+  EXPECT_GT(count, 40);
+  return sum / count;
+}
+
+TEST(LineFit, WhatChangesBehindTheRodLeavesItsOutlineUnsure) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  const Pose truth = random_view(random);
+  Shot shot = shoot(marker, truth, {.noise = 0});
+  const Inks inks = inks_at(shot, rod, truth);
+  const double even = outline_sigma(shot, rod, inks, truth);
+  // Light that grows by four levels a pixel, again and again, and falls back.
+  for (int y = 0; y < shot.image.height; ++y)
+    for (int x = 0; x < 3 * shot.image.width; ++x) {
+      std::uint8_t& v = shot.image.rgb[static_cast<std::size_t>(3 * y * shot.image.width + x)];
+      v = static_cast<std::uint8_t>(std::min(255, v + 4 * std::abs((y + x / 3) % 32 - 16)));
+    }
+  EXPECT_GT(outline_sigma(shot, rod, inks, truth), 1.2 * even);
+}
+
+TEST(MotionPrior, TakesTheMeanOfWhatIsTold) {
+  const Matrix6d sure = 1e-6 * Matrix6d::Identity();
+  const EigenPose here = to_eigen(about_middle(exp_so3({0.3, 0.4, 0}), {0, 0, 350}));
+  Vector6 off;
+  off << 2e-3, 0, 0, 0, 0.1, 0;
+  MotionPrior prior;
+  prior.add(here, sure);
+  prior.add(perturbed(here, off), sure / 3);
+  EXPECT_LT((perturbation(here, prior.pose.value()) - 0.75 * off).norm(), 1e-6);
+  EXPECT_LT((prior.pose_information - 4e6 * Matrix6d::Identity()).norm(), 1);
+}
+
+// One arm is covered: of the roll about the other, edges tell nothing.
+TEST(LineFit, WhatEdgesDoNotTellIsWhatIsKnown) {
+  RandomPose random;
+  const MarkerSpec marker = angle_marker(2);
+  const RodModel rod(marker);
+  for (int i = 0; i < 6; ++i) {
+    SCOPED_TRACE(i);
+    const Pose truth = random_view(random);
+    Shot shot = shoot(marker, truth, {.seed = static_cast<std::uint64_t>(i)});
+    const Inks inks = inks_at(shot, rod, truth);
+    for (int c = 15; c < rod.cell_count(); ++c) {
+      Vec2d middle;
+      ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth) * rod.middle(c).centre, middle));
+      cover(shot, middle, 10, {196, 148, 120});
+    }
+    constexpr double turn_sigma = 0.01, shift_sigma = 0.5;
+    Matrix6d covariance = Matrix6d::Zero();
+    covariance.diagonal().head<3>().setConstant(turn_sigma * turn_sigma);
+    covariance.diagonal().tail<3>().setConstant(shift_sigma * shift_sigma);
+    const EigenPose expected = to_eigen(disturbed(truth, random, turn_sigma / radian, shift_sigma));
+    MotionPrior prior;
+    prior.add(expected, covariance);
+    LineFitter fitter;
+    const LineFit f = fitter.fit({shot.view(), shot.intrinsics, {}}, rod, inks, {expected}, prior, passes);
+    ASSERT_TRUE(f.settled());
+    const Vector6 e = error_of(f.motion.pose, truth);
+    EXPECT_LT(e.head<3>().norm(), 4 * turn_sigma);
+    EXPECT_LT(e.dot(f.pose_covariance().ldlt().solve(e)), 40);
+    const Vec3d arm = to_eigen(truth).R * rod.middle(4).tangent;
+    const Mat3d turn = f.pose_covariance().topLeftCorner<3, 3>();
+    EXPECT_GT(std::sqrt(arm.dot(turn * arm)), 0.7 * turn_sigma) << "the roll is no surer than it was known";
+    EXPECT_LT(turn.trace() - arm.dot(turn * arm), turn_sigma * turn_sigma / 2) << "the arm's direction is";
+  }
+}
+
 TEST(LineFit, WhereNothingIsNothingIsFound) {
   const MarkerSpec marker = angle_marker(2);
   const RodModel rod(marker);

@@ -2,7 +2,7 @@
 
 #include "tracking/tracker.h"
 
-#include "scene_fixture.h"
+#include "view_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +104,37 @@ TEST(Tracker, FollowsAMovingMarkerAndTellsItsVelocity) {
     } else {
       EXPECT_NEAR(record.markers[0].velocity.angular.z, 1.5, 0.6) << i;
     }
+  }
+}
+
+// A hand about one arm and the corner: what the other arm's edges do not tell is what the motion before lets expect.
+TEST(Tracker, MeasuresAStickOfWhichOneArmIsCoveredForAWhile) {
+  const Catalog catalog = catalog_of(2);
+  const RodModel rod(catalog.markers[0]);
+  Tracker tracker(catalog);
+  const auto truth = [](int i) {
+    const double t = i / 30.0;
+    return about_middle(exp_so3({0, 0, 0.9 * t}) * exp_so3({0.5, -0.4, 0}), {-15 + 60 * t, 5, 340});
+  };
+  constexpr int covered_from = 8, pictures = 11;
+  for (int i = 0; i < pictures; ++i) {
+    Shot shot = shoot(catalog.markers[0], truth(i), {.seed = static_cast<std::uint64_t>(i)});
+    for (int c = 15; c < rod.cell_count() && i >= covered_from; ++c) {
+      Vec2d middle;
+      ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth(i)) * rod.middle(c).centre, middle));
+      cover(shot, middle, 12, {196, 148, 120});
+    }
+    Picture picture = shot.picture();
+    picture.exposure.start = Time{} + Duration::from_seconds(i / 30.0);
+    const FrameRecord record = process(tracker, picture);
+    ASSERT_EQ(record.marker_count, 1) << i;
+    const MarkerObservation& o = record.markers[0];
+    ASSERT_EQ(o.state, MarkerState::measured) << i;
+    Vec2d is, found;
+    ASSERT_TRUE(project(shot.intrinsics, to_eigen(truth(i).translation), is));
+    ASSERT_TRUE(project(shot.intrinsics, to_eigen(o.T_camera_marker.translation), found));
+    EXPECT_LT((found - is).norm(), 0.5) << i;
+    EXPECT_LT(angle_between(o.T_camera_marker.rotation, truth(i).rotation), 3 * radian) << i;
   }
 }
 
