@@ -11,10 +11,6 @@ namespace onestroke {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
-using Reach = vk::AccessFlagBits2;
-using Layout = vk::ImageLayout;
-
 constexpr std::uint32_t side = FingerMatte::side;
 
 /// Cells of the surface, from first to before end.
@@ -61,15 +57,7 @@ void FingerLayer::record(FrameSlot& slot) {
   Buffer& staging = staging_[next_];
   next_ = (next_ + 1) % slots;
   std::memcpy(staging.mapped(), matte_.alpha().data(), matte_.alpha().size());
-  const Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
-  const Access write{Stage::eAllTransfer, Reach::eTransferWrite};
-  image_barrier(slot.commands, image_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, sample, write);
-  slot.commands.copyBufferToImage(
-      staging.handle(), image_.handle(), Layout::eTransferDstOptimal,
-      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
-                          .imageExtent = {side, side, 1}});
-  image_barrier(slot.commands, image_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, write,
-                sample);
+  fill_image(slot.commands, staging, image_);
 }
 
 void FingerLayer::draw(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,

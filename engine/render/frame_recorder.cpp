@@ -1,6 +1,7 @@
 #include "render/frame_recorder.h"
 
 #include "render/font.h"
+#include "render/graphics_pipeline.h"
 #include "render/multiview_probe.h"
 #include "render/upload.h"
 #include "scene/frames.h"
@@ -35,12 +36,6 @@ vk::raii::Sampler make_sampler(Device& device) {
 
 vk::Rect2D area_of(const Viewport& v) {
   return {{v.x, v.y}, {static_cast<std::uint32_t>(v.width), static_cast<std::uint32_t>(v.height)}};
-}
-
-void set_viewport(const vk::raii::CommandBuffer& commands, const Viewport& v, vk::Rect2D scissor) {
-  commands.setViewport(0, vk::Viewport{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.width),
-                                       static_cast<float>(v.height), 0.0F, 1.0F});
-  commands.setScissor(0, scissor);
 }
 
 /// Where blended surfaces are sorted from: the middle of the views of a pass.
@@ -168,7 +163,8 @@ void FrameRecorder::record_foreground(const FrameSlot& slot, const FramePass& pa
                                       std::span<const View> drawn, const FrameScene& scene, const Seen& seen) {
   const auto& commands = slot.commands;
   targets_.begin_foreground(commands, pass);
-  set_viewport(commands, drawn.front().viewport, pass.foreground);
+  set_viewport(commands, area_of(drawn.front().viewport));
+  commands.setScissor(0, pass.foreground);
   models_.record(commands, layouts_, pipelines, eye_of(drawn));
   if (data_.passthrough && scene.fingers) seen.fingers.draw(commands, layouts_, pipelines, surface_);
   if (const auto count = static_cast<std::uint32_t>(overlay_.lines().size())) {
@@ -184,16 +180,15 @@ void FrameRecorder::record_picture(const FrameSlot& slot, const FramePass& pass,
                                    std::span<const View> drawn, const RenderTarget& target, const FrameScene& scene,
                                    const Seen& seen) const {
   const auto& commands = slot.commands;
-  const Viewport& viewport = drawn.front().viewport;
-  FrameTargets::begin_picture(commands, target, pass, area_of(viewport),
-                              data_.passthrough ? surround : scene.background);
-  set_viewport(commands, viewport, area_of(viewport));
+  const vk::Rect2D viewport = area_of(drawn.front().viewport);
+  FrameTargets::begin_picture(commands, target, pass, viewport, data_.passthrough ? surround : scene.background);
+  set_viewport(commands, viewport);
   if (data_.passthrough) record_passthrough(slot, pipelines, seen.picture.ideal_lens());
   if (pass.foreground.extent.width > 0) {
     commands.setScissor(0, pass.foreground);
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.foreground);
     commands.draw(3, 1, 0, 0);
-    commands.setScissor(0, area_of(viewport));
+    commands.setScissor(0, viewport);
   }
   record_quads(slot, *pipelines.quad_on_top, overlay_.tested(), static_cast<std::uint32_t>(overlay_.quads().size()));
 }

@@ -12,7 +12,6 @@ using Usage = vk::ImageUsageFlagBits;
 constexpr Access draw_color{Stage::eColorAttachmentOutput, Reach::eColorAttachmentRead | Reach::eColorAttachmentWrite};
 constexpr Access draw_depth{Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,
                             Reach::eDepthStencilAttachmentRead | Reach::eDepthStencilAttachmentWrite};
-constexpr Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
 
 bool fits(const Image& image, const ImageInfo& wanted) {
   const ImageInfo& has = image.info();
@@ -46,8 +45,8 @@ void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, con
   const LayoutChange to_draw{Layout::eUndefined, Layout::eColorAttachmentOptimal};
   // The pass before may still be drawing these, or looking them up.
   image_barrier(commands, color_.handle(), to_draw, draw_color, draw_color);
-  image_barrier(commands, foreground_.handle(), to_draw, {sample.stage | draw_color.stage, draw_color.access},
-                draw_color);
+  image_barrier(commands, foreground_.handle(), to_draw,
+                {sampled_by_fragments.stage | draw_color.stage, draw_color.access}, draw_color);
   image_barrier(commands, depth_.handle(), {Layout::eUndefined, Layout::eDepthAttachmentOptimal}, draw_depth,
                 draw_depth, vk::ImageAspectFlagBits::eDepth);
   const vk::RenderingAttachmentInfo color{.imageView = color_.view(),
@@ -73,7 +72,7 @@ void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, con
 void FrameTargets::end_foreground(const vk::raii::CommandBuffer& commands) const {
   commands.endRendering();
   image_barrier(commands, foreground_.handle(), {Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal},
-                draw_color, sample);
+                draw_color, sampled_by_fragments);
 }
 
 void FrameTargets::open(const vk::raii::CommandBuffer& commands, const RenderTarget& target) {

@@ -24,6 +24,13 @@ std::vector<vk::SpecializationMapEntry> entries_of(const std::vector<std::uint32
 
 }  // namespace
 
+void set_viewport(const vk::raii::CommandBuffer& commands, const vk::Rect2D& area) {
+  commands.setViewport(
+      0, vk::Viewport{static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
+                      static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0.0F, 1.0F});
+  commands.setScissor(0, area);
+}
+
 vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& recipe) {
   const auto module_of = [&device](std::span<const std::uint32_t> words) {
     return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});

@@ -27,6 +27,9 @@ struct PipelineRecipe {
   bool sets_culling = false;  ///< Culling and front face are set while recording; otherwise nothing is culled.
 };
 
+/// To draw to these pixels of the target and to no others.
+void set_viewport(const vk::raii::CommandBuffer& commands, const vk::Rect2D& area);
+
 /// Throws vk::SystemError.
 vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& recipe);
 

@@ -6,10 +6,6 @@ namespace onestroke {
 
 namespace {
 
-using Stage = vk::PipelineStageFlagBits2;
-using Reach = vk::AccessFlagBits2;
-using Layout = vk::ImageLayout;
-
 constexpr std::size_t texel_bytes = 8;
 
 }  // namespace
@@ -70,12 +66,7 @@ void Lighting::upload(FrameSlot& slot) {
       at += texel_bytes;
     }
   }
-  const Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
-  const Access write{Stage::eAllTransfer, Reach::eTransferWrite};
-  image_barrier(slot.commands, cube_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, sample, write);
-  slot.commands.copyBufferToImage(staging.handle(), cube_.handle(), Layout::eTransferDstOptimal, regions);
-  image_barrier(slot.commands, cube_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, write,
-                sample);
+  fill_image(slot.commands, staging, cube_, regions);
 }
 
 }  // namespace onestroke

@@ -29,8 +29,7 @@ void draw(const vk::raii::CommandBuffer& commands, vk::Pipeline pipeline, const 
                            .viewMask = view_mask,
                            .colorAttachmentCount = 1,
                            .pColorAttachments = &color});
-  commands.setViewport(0, vk::Viewport{0, 0, size, size, 0, 1});
-  commands.setScissor(0, vk::Rect2D{{0, 0}, {size, size}});
+  set_viewport(commands, {{}, {size, size}});
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
   commands.draw(3, 1, 0, 0);
   commands.endRendering();

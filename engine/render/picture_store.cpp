@@ -16,8 +16,6 @@ using Stage = vk::PipelineStageFlagBits2;
 using Reach = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
-constexpr Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
-
 /// How the bytes of one plane lie, and how they are packed: rows from one word to a whole number of them.
 struct PlaneShape {
   std::uint32_t row_bytes = 0, rows = 0;
@@ -207,29 +205,21 @@ void PictureStore::record_words(const vk::raii::CommandBuffer& commands) {
                                                            .descriptorType = vk::DescriptorType::eSampledImage,
                                                            .pImageInfo = &image},
                                     {});
-  const Access write{Stage::eAllTransfer, Reach::eTransferWrite};
-  image_barrier(commands, words_.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, sample, write);
-  commands.copyBufferToImage(
-      staging_[next_].handle(), words_.handle(), Layout::eTransferDstOptimal,
-      vk::BufferImageCopy{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
-                          .imageExtent = {words_size_.width, words_size_.height, 1}});
-  image_barrier(commands, words_.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, write,
-                sample);
+  fill_image(commands, staging_[next_], words_);
 }
 
 void PictureStore::record_unpacking(const vk::raii::CommandBuffer& commands) const {
   const vk::Extent2D size{image_.info().width, image_.info().height};
   const Access draw{Stage::eColorAttachmentOutput, Reach::eColorAttachmentWrite};
-  image_barrier(commands, image_.handle(), {Layout::eUndefined, Layout::eColorAttachmentOptimal}, sample, draw);
+  image_barrier(commands, image_.handle(), {Layout::eUndefined, Layout::eColorAttachmentOptimal}, sampled_by_fragments,
+                draw);
   const vk::RenderingAttachmentInfo color{.imageView = image_.view(),
                                           .imageLayout = Layout::eColorAttachmentOptimal,
                                           .loadOp = vk::AttachmentLoadOp::eDontCare,
                                           .storeOp = vk::AttachmentStoreOp::eStore};
   commands.beginRendering(
       {.renderArea = {.extent = size}, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &color});
-  commands.setViewport(0,
-                       vk::Viewport{0, 0, static_cast<float>(size.width), static_cast<float>(size.height), 0.0F, 1.0F});
-  commands.setScissor(0, vk::Rect2D{{}, size});
+  set_viewport(commands, {{}, size});
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines_.at(format_));
   commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, sets_[next_], {});
   commands.pushConstants<gpu::UnpackData>(*layout_, vk::ShaderStageFlagBits::eFragment, 0,
@@ -237,7 +227,7 @@ void PictureStore::record_unpacking(const vk::raii::CommandBuffer& commands) con
   commands.draw(3, 1, 0, 0);
   commands.endRendering();
   image_barrier(commands, image_.handle(), {Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal}, draw,
-                sample);
+                sampled_by_fragments);
 }
 
 void PictureStore::record(FrameSlot& slot) {

@@ -78,4 +78,22 @@ void image_barrier(const vk::raii::CommandBuffer& commands, vk::Image image, Lay
   commands.pipelineBarrier2({.imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier});
 }
 
+void fill_image(const vk::raii::CommandBuffer& commands, const Buffer& from, const Image& to,
+                std::span<const vk::BufferImageCopy> regions) {
+  using Layout = vk::ImageLayout;
+  constexpr Access write{vk::PipelineStageFlagBits2::eAllTransfer, vk::AccessFlagBits2::eTransferWrite};
+  image_barrier(commands, to.handle(), {Layout::eUndefined, Layout::eTransferDstOptimal}, sampled_by_fragments, write);
+  commands.copyBufferToImage(
+      from.handle(), to.handle(), Layout::eTransferDstOptimal,
+      vk::ArrayProxy<const vk::BufferImageCopy>(static_cast<std::uint32_t>(regions.size()), regions.data()));
+  image_barrier(commands, to.handle(), {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, write,
+                sampled_by_fragments);
+}
+
+void fill_image(const vk::raii::CommandBuffer& commands, const Buffer& from, const Image& to) {
+  const vk::BufferImageCopy all{.imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .layerCount = 1},
+                                .imageExtent = {to.info().width, to.info().height, 1}};
+  fill_image(commands, from, to, {&all, 1});
+}
+
 }  // namespace onestroke

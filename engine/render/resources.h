@@ -87,6 +87,9 @@ struct Access {
   vk::AccessFlags2 access;
 };
 
+inline constexpr Access sampled_by_fragments{vk::PipelineStageFlagBits2::eFragmentShader,
+                                             vk::AccessFlagBits2::eShaderSampledRead};
+
 struct LayoutChange {
   vk::ImageLayout from, to;
 };
@@ -94,5 +97,10 @@ struct LayoutChange {
 void image_barrier(const vk::raii::CommandBuffer& commands, vk::Image image, LayoutChange layout, Access before,
                    Access after, vk::ImageAspectFlags aspect = vk::ImageAspectFlagBits::eColor,
                    std::uint32_t first_mip = 0, std::uint32_t mips = VK_REMAINING_MIP_LEVELS);
+
+/// Copies a buffer to an image that fragment shaders sample, before and after: the regions, or its only level.
+void fill_image(const vk::raii::CommandBuffer& commands, const Buffer& from, const Image& to,
+                std::span<const vk::BufferImageCopy> regions);
+void fill_image(const vk::raii::CommandBuffer& commands, const Buffer& from, const Image& to);
 
 }  // namespace onestroke

@@ -20,7 +20,6 @@ Buffer staging_of(Device& device, std::span<const std::byte> bytes) {
 void make_mipmaps(const vk::raii::CommandBuffer& commands, vk::Image image, const ImageInfo& info) {
   const Access copy_write{Stage::eAllTransfer, Reach::eTransferWrite};
   const Access copy_read{Stage::eAllTransfer, Reach::eTransferRead};
-  const Access sample{Stage::eFragmentShader, Reach::eShaderSampledRead};
   const auto color = vk::ImageAspectFlagBits::eColor;
   auto width = static_cast<std::int32_t>(info.width), height = static_cast<std::int32_t>(info.height);
   for (std::uint32_t level = 1; level < info.mip_levels; ++level) {
@@ -39,13 +38,13 @@ void make_mipmaps(const vk::raii::CommandBuffer& commands, vk::Image image, cons
                          .regionCount = 1,
                          .pRegions = &blit,
                          .filter = vk::Filter::eLinear});
-    image_barrier(commands, image, {Layout::eTransferSrcOptimal, Layout::eShaderReadOnlyOptimal}, copy_read, sample,
-                  color, level - 1, 1);
+    image_barrier(commands, image, {Layout::eTransferSrcOptimal, Layout::eShaderReadOnlyOptimal}, copy_read,
+                  sampled_by_fragments, color, level - 1, 1);
     width = half_width;
     height = half_height;
   }
-  image_barrier(commands, image, {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, copy_write, sample,
-                color, info.mip_levels - 1, 1);
+  image_barrier(commands, image, {Layout::eTransferDstOptimal, Layout::eShaderReadOnlyOptimal}, copy_write,
+                sampled_by_fragments, color, info.mip_levels - 1, 1);
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 #include "core/error.h"
 #include "display/default_view.h"
 #include "display/frame_files.h"
-#include "render/resources.h"
-#include "render/target.h"
+#include "render/image_target.h"
 
 namespace onestroke {
 
@@ -15,10 +14,8 @@ constexpr auto format = vk::Format::eR8G8B8A8Srgb;
 /// One picture on its way from the GPU to the files. The image has a layer for each view, the bytes have the views side
 /// by side.
 struct Slot {
-  Image image;
+  ImageTarget target;
   Buffer bytes;
-  std::array<vk::raii::ImageView, max_views> layers{nullptr, nullptr};
-  RenderTarget target;
   vk::raii::CommandPool pool{nullptr};
   vk::raii::CommandBuffer commands{nullptr};
   vk::raii::Fence fence{nullptr};
@@ -27,26 +24,10 @@ struct Slot {
 
 Slot make_slot(Device& device, int width, int height, int views) {
   Slot slot;
-  const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
-  slot.image =
-      Image(device, {.format = format,
-                     .width = w,
-                     .height = h,
-                     .layers = static_cast<std::uint32_t>(views),
-                     .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
-  slot.bytes = Buffer(device, std::uint64_t{4} * w * h * static_cast<std::uint32_t>(views),
+  slot.target = ImageTarget(device, format, width, height, views, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  const ImageInfo& image = slot.target.image().info();
+  slot.bytes = Buffer(device, std::uint64_t{4} * image.width * image.height * image.layers,
                       vk::BufferUsageFlagBits::eTransferDst, MemoryPool::Use::readback);
-  slot.target = {.image = slot.image.handle(),
-                 .view = slot.image.view(),
-                 .format = static_cast<VkFormat>(format),
-                 .width = width,
-                 .height = height,
-                 .layers = views,
-                 .final_layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
-  for (std::uint32_t i = 0; views > 1 && i < slot.image.info().layers; ++i) {
-    slot.layers[i] = make_layer_view(device, slot.image, i);
-    slot.target.layer_views[i] = *slot.layers[i];
-  }
   slot.pool = device.vk().createCommandPool({.queueFamilyIndex = device.queue_family()});
   slot.commands =
       std::move(device.vk().allocateCommandBuffers({.commandPool = *slot.pool, .commandBufferCount = 1}).front());
@@ -57,7 +38,7 @@ Slot make_slot(Device& device, int width, int height, int views) {
 /// The copy is the same every time, so it is recorded once.
 void record_copy(const Slot& slot) {
   slot.commands.begin({});
-  const ImageInfo& image = slot.image.info();
+  const ImageInfo& image = slot.target.image().info();
   std::array<vk::BufferImageCopy, max_views> copies;
   for (std::uint32_t i = 0; i < image.layers; ++i)
     copies[i] = {
@@ -65,7 +46,8 @@ void record_copy(const Slot& slot) {
         .bufferRowLength = image.width * image.layers,
         .imageSubresource = {.aspectMask = vk::ImageAspectFlagBits::eColor, .baseArrayLayer = i, .layerCount = 1},
         .imageExtent = {image.width, image.height, 1}};
-  slot.commands.copyImageToBuffer(slot.image.handle(), vk::ImageLayout::eTransferSrcOptimal, slot.bytes.handle(),
+  slot.commands.copyImageToBuffer(slot.target.image().handle(), vk::ImageLayout::eTransferSrcOptimal,
+                                  slot.bytes.handle(),
                                   vk::ArrayProxy<const vk::BufferImageCopy>(image.layers, copies.data()));
   const vk::MemoryBarrier2 barrier{.srcStageMask = vk::PipelineStageFlagBits2::eAllTransfer,
                                    .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
@@ -182,7 +164,7 @@ void OffscreenDisplay::begin(FrameInfo& frame) {
   impl_->guard([&] { impl_->deliver(slot); });
   frame.should_render = !impl_->closed && !impl_->lost;
   frame.time = Time{} + Duration::from_seconds(static_cast<double>(impl_->frame) / o.rate);
-  frame.target = &slot.target;
+  frame.target = &slot.target.target();
   frame.view_count = o.views;
   const int width = o.width / o.views;
   for (int i = 0; i < o.views; ++i) {

@@ -110,9 +110,7 @@ void RenderFloor::fill(bool textured, vk::ImageView layer) {
   commands_.beginRendering(
       {.renderArea = {.extent = extent}, .layerCount = 1, .colorAttachmentCount = 1, .pColorAttachments = &attachment});
   if (textured) {
-    commands_.setViewport(
-        0, vk::Viewport{0, 0, static_cast<float>(target_.width), static_cast<float>(target_.height), 0.0F, 1.0F});
-    commands_.setScissor(0, vk::Rect2D{{0, 0}, extent});
+    set_viewport(commands_, {{}, extent});
     commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
     commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, set_, {});
     commands_.draw(3, 1, 0, 0);

@@ -20,31 +20,6 @@ std::size_t bytes_a_row(int width, PixelFormat pixels) {
   return pixels == PixelFormat::yuyv ? 2 * w : w;
 }
 
-Image make_image(Device& device, int width, int height, int layers) {
-  return Image(device, {.format = format,
-                        .width = static_cast<std::uint32_t>(width),
-                        .height = static_cast<std::uint32_t>(height),
-                        .layers = static_cast<std::uint32_t>(layers),
-                        .usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc});
-}
-
-RenderTarget target_of(const Image& image, const std::array<vk::raii::ImageView, max_views>& layers) {
-  RenderTarget target{.image = image.handle(),
-                      .view = image.view(),
-                      .format = static_cast<VkFormat>(format),
-                      .width = static_cast<int>(image.info().width),
-                      .height = static_cast<int>(image.info().height),
-                      .layers = static_cast<int>(image.info().layers)};
-  for (std::size_t i = 0; i < layers.size(); ++i) target.layer_views[i] = *layers[i];
-  return target;
-}
-
-std::array<vk::raii::ImageView, max_views> layers_of(Device& device, const Image& image) {
-  std::array<vk::raii::ImageView, max_views> layers{nullptr, nullptr};
-  for (std::uint32_t i = 0; i < image.info().layers; ++i) layers[i] = make_layer_view(device, image, i);
-  return layers;
-}
-
 /// A ball that is wavy, so that no two triangles face the same way; with levels of detail, as the program loads it.
 Model wavy_ball(int triangles) {
   const auto across = static_cast<std::uint32_t>(std::lround(std::sqrt(triangles / 4.0)));
@@ -104,13 +79,11 @@ BenchPicture::BenchPicture(int width, int height, PixelFormat pixels) {
 
 RenderStage::RenderStage(Gpu& gpu, int width, int height, int views, bool multiview)
     : gpu_(gpu),
-      image_(make_image(*gpu.device(), width, height, views)),
-      layers_(layers_of(*gpu.device(), image_)),
-      target_(target_of(image_, layers_)),
-      floor_(*gpu.device(), target_),
+      target_(*gpu.device(), format, width, height, views, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL),
+      floor_(*gpu.device(), target_.target()),
       renderer_(gpu, {.multiview = multiview}) {
   frame_.should_render = true;
-  frame_.target = &target_;
+  frame_.target = &target_.target();
   frame_.view_count = views;
   for (int i = 0; i < views; ++i) {
     View& view = frame_.views[static_cast<std::size_t>(i)];

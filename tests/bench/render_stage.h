@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/image_target.h"
 #include "render/renderer.h"
 #include "render_floor.h"
 
@@ -35,9 +36,7 @@ class RenderStage {
 
  private:
   Gpu& gpu_;
-  Image image_;
-  std::array<vk::raii::ImageView, max_views> layers_{nullptr, nullptr};
-  RenderTarget target_;
+  ImageTarget target_;
   RenderFloor floor_;
   Renderer renderer_;
   FrameInfo frame_;
