@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 namespace onestroke {
 
@@ -14,8 +13,27 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 6;
 
-double distance_to(const glm::dvec3& lower, const glm::dvec3& upper, const glm::dvec3& p) {
-  return glm::length(glm::max(glm::max(lower - p, p - upper), glm::dvec3(0)));
+double distance_to(const glm::vec3& lower, const glm::vec3& upper, const glm::dvec3& p) {
+  return glm::length(glm::max(glm::max(glm::dvec3(lower) - p, p - glm::dvec3(upper)), glm::dvec3(0)));
+}
+
+// For triangles that have no area.
+glm::dvec3 nearest_weights_on_sides(const std::array<glm::dvec3, 3>& t, const glm::dvec3& p) {
+  glm::dvec3 best(1, 0, 0);
+  double least = std::numeric_limits<double>::infinity();
+  for (glm::length_t k = 0; k < 3; ++k) {
+    const glm::length_t next = (k + 1) % 3;
+    const glm::dvec3 from = t[static_cast<std::size_t>(k)], side = t[static_cast<std::size_t>(next)] - from;
+    const double length2 = glm::dot(side, side);
+    const double share = length2 > 0 ? std::clamp(glm::dot(p - from, side) / length2, 0.0, 1.0) : 0;
+    const double distance = glm::distance(p, from + share * side);
+    if (distance >= least) continue;
+    least = distance;
+    best = glm::dvec3(0);
+    best[k] = 1 - share;
+    best[next] = share;
+  }
+  return best;
 }
 
 // The corners' weights at the triangle's nearest point: by the regions about it (Ericson, Real-Time Collision
@@ -38,25 +56,27 @@ glm::dvec3 nearest_weights(const std::array<glm::dvec3, 3>& t, const glm::dvec3&
 }  // namespace
 
 TriangleTree::TriangleTree(std::span<const ModelVertex> vertices, std::span<const std::uint32_t> indices)
-    : vertices_(vertices), indices_(indices), order_(indices.size() / 3) {
-  std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.push_back({.lower = {}, .upper = {}, .first = 0, .count = static_cast<std::uint32_t>(order_.size())});
+    : triangles_(indices.size() / 3), place_of_(triangles_.size()) {
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    triangles_[i].number = i;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = vertices[indices[3 * std::size_t{i} + k]].position;
+      triangles_[i].corners[k] = {p[0], p[1], p[2]};
+    }
+  }
+  nodes_.push_back({.lower = {}, .upper = {}, .first = 0, .count = static_cast<std::uint32_t>(triangles_.size())});
   fit(nodes_.front());
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) divide(node);
-}
-
-glm::dvec3 TriangleTree::corner(std::uint32_t triangle, std::size_t k) const {
-  const auto& p = vertices_[indices_[3 * std::size_t{triangle} + k]].position;
-  return {p[0], p[1], p[2]};
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) place_of_[triangles_[i].number] = i;
 }
 
 void TriangleTree::fit(Node& node) const {
-  node.lower = glm::dvec3(std::numeric_limits<double>::infinity());
+  node.lower = glm::vec3(std::numeric_limits<float>::infinity());
   node.upper = -node.lower;
-  for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      node.lower = glm::min(node.lower, corner(order_[i], k));
-      node.upper = glm::max(node.upper, corner(order_[i], k));
+  for (const Triangle& triangle : std::span(triangles_).subspan(node.first, node.count))
+    for (const glm::vec3& corner : triangle.corners) {
+      node.lower = glm::min(node.lower, corner);
+      node.upper = glm::max(node.upper, corner);
     }
 }
 
@@ -64,27 +84,28 @@ void TriangleTree::fit(Node& node) const {
 void TriangleTree::divide(std::uint32_t index) {
   const Node node = nodes_[index];
   if (node.count <= leaf_size) return;
-  const glm::dvec3 size = node.upper - node.lower;
+  const glm::vec3 size = node.upper - node.lower;
   const glm::length_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto place = [&](std::uint32_t t) { return corner(t, 0)[axis] + corner(t, 1)[axis] + corner(t, 2)[axis]; };
-  const auto begin = order_.begin() + node.first;
+  const auto begin = triangles_.begin() + node.first;
   const std::uint32_t half = node.count / 2;
   std::nth_element(begin, begin + half, begin + node.count,
-                   [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+                   [axis](const Triangle& a, const Triangle& b) { return a.place(axis) < b.place(axis); });
   Node left{.lower = {}, .upper = {}, .first = node.first, .count = half};
   Node right{.lower = {}, .upper = {}, .first = node.first + half, .count = node.count - half};
   fit(left);
   fit(right);
   nodes_[index].count = 0;
-  nodes_[index].children = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[index].first = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(left);
   nodes_.push_back(right);
 }
 
-TriangleTree::Hit TriangleTree::hit(std::uint32_t triangle, const glm::dvec3& point) const {
-  const std::array t{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
-  const glm::dvec3 w = nearest_weights(t, point);
-  return {triangle, glm::distance(point, w.x * t[0] + w.y * t[1] + w.z * t[2]), w};
+TriangleTree::Hit TriangleTree::hit(const Triangle& triangle, const glm::dvec3& point) {
+  const std::array t{glm::dvec3(triangle.corners[0]), glm::dvec3(triangle.corners[1]), glm::dvec3(triangle.corners[2])};
+  glm::dvec3 w = nearest_weights(t, point);
+  if (!(w.x + w.y + w.z > 0)) w = nearest_weights_on_sides(t, point);
+  const glm::dvec3 at = w.x * t[0] + w.y * t[1] + w.z * t[2];
+  return {triangle.number, glm::distance(point, at), at, w};
 }
 
 void TriangleTree::each_within(const glm::dvec3& point, double distance,
@@ -95,13 +116,13 @@ void TriangleTree::each_within(const glm::dvec3& point, double distance,
     open.pop_back();
     if (distance_to(node.lower, node.upper, point) > distance) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (const Hit found = hit(order_[i], point); found.distance <= distance) take(found);
-    if (node.count == 0) open.insert(open.end(), {node.children, node.children + 1});
+      if (const Hit found = hit(triangles_[i], point); found.distance <= distance) take(found);
+    if (node.count == 0) open.insert(open.end(), {node.first, node.first + 1});
   }
 }
 
-TriangleTree::Hit TriangleTree::nearest(const glm::dvec3& point) const {
-  Hit best{.distance = std::numeric_limits<double>::infinity()};
+TriangleTree::Hit TriangleTree::nearest(const glm::dvec3& point, std::uint32_t guess) const {
+  Hit best = hit(triangles_[place_of_[guess]], point);
   search(0, point, best);
   return best;
 }
@@ -109,13 +130,12 @@ TriangleTree::Hit TriangleTree::nearest(const glm::dvec3& point) const {
 void TriangleTree::search(std::uint32_t index, const glm::dvec3& point, Hit& best) const {
   const Node& node = nodes_[index];
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-    const Hit found = hit(order_[i], point);
+    const Hit found = hit(triangles_[i], point);
     if (found.distance < best.distance) best = found;
   }
   if (node.count > 0) return;
   const auto away = [&](std::uint32_t child) { return distance_to(nodes_[child].lower, nodes_[child].upper, point); };
-  std::array order{std::pair{away(node.children), node.children},
-                   std::pair{away(node.children + 1), node.children + 1}};
+  std::array order{std::pair{away(node.first), node.first}, std::pair{away(node.first + 1), node.first + 1}};
   if (order[1].first < order[0].first) std::swap(order[0], order[1]);
   for (const auto& [distance, child] : order)
     if (distance < best.distance) search(child, point, best);
