@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace onestroke {
@@ -15,89 +14,204 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 // Below this the axis of a turn is noise.
 constexpr double no_turn = 0.5 / degrees;
+const CarriedModel nothing;
 
 }  // namespace
+
+Comparison::Comparison(std::span<const CarriedModel> carried, const ComparisonOptions& options)
+    : carried_(carried), options_(options) {
+  pointer_ = preferred();
+  base_ = other(preferred());
+}
+
+void Comparison::set_fit(const std::optional<Similarity>& base_from_laid) {
+  changed_ = changed_ || fit_.has_value() != base_from_laid.has_value();
+  fit_ = base_from_laid;
+}
+
+bool Comparison::press(char key) {
+  const bool known = key == 'x' || key == 'i' || std::ranges::find(sign_keys, key, &SignKey::key) != sign_keys.end();
+  if (known && key_count_ < keys_.size()) keys_[key_count_++] = key;
+  return known;
+}
 
 const ComparisonView& Comparison::update(const FrameRecord& record, Time now) {
   const Duration step = started_ ? now - last_ : Duration{};
   last_ = now;
   started_ = true;
-  if (hands_.update(record, now)) {
-    std::swap(motions_[0], motions_[1]);
-    leader_ = other(leader_);
-  }
-  for (const Hand h : both_hands) follow_motion(h, step);
-  const bool link_changed = choose_link(now);
-  const bool leader_changed = choose_leader(now);
+  T_world_camera_ = record.T_world_camera;
+  view_.snapshot = false;
+  view_.event_count = 0;
+  if (hands_.update(record, now)) exchange_hands();
   for (const Hand h : both_hands) {
-    if (link_changed || leader_changed) motion(h).rotation.go_over_to(followed(h), now);
-    fill_hand(h, now);
+    follow_motion(h, step);
+    follow_card(h, record.T_world_camera, step, now);
   }
-  view_.linked = linked_;
-  view_.link_progress = gesture_.progress();
+  view_.both_visible = hands_[Hand::left].visible() && hands_[Hand::right].visible();
+  press_keys(now);
+  look_for_signs(now);
+  choose_leader(now);
+  laid_.update(mode_.laid_over(), step);
+  const Hand first = mode_.laid_over() ? base_ : other(pointer_);
+  place(first, now);
+  place(other(first), now);
+  changed_ = false;
+  cut(step);
+  measure(step, now);
+  for (const Hand h : both_hands) fill_hand(h, now);
+  view_.mode = mode_;
+  view_.pointer = pointer_;
+  view_.base = base_;
+  view_.laid = laid_.value();
+  fill_offer();
   fill_relative();
   print_hud(view_);
   return view_;
 }
 
-// A stick that comes anew, or comes back after it has faded, starts with no past.
+void Comparison::exchange_hands() {
+  std::swap(motions_[0], motions_[1]);
+  leader_ = other(leader_);
+  pointer_ = other(pointer_);
+  base_ = other(base_);
+}
+
+// A stick that comes anew, or comes back after it has faded, starts with no past. A model that is frozen stays without
+// its stick.
 void Comparison::follow_motion(Hand h, Duration step) {
   const HeldMarker& held = hands_[h];
   Motion& m = motion(h);
-  if (!held.held || held.id != m.id) m = {};
-  m.id = held.id;
-  if (m.presence <= 0) {
-    m.rotation.set(followed(h));
-    m.turn.reset(own(h));
+  const bool stays = !held.held && m.frozen;
+  if (!stays && (!held.held || held.id != m.id)) m = {};
+  if (held.held) m.id = held.id;
+  m.fresh = m.presence.value() <= 0;
+  if (m.fresh) m.turn.reset(hands_[h].T_world_marker.rotation);
+  m.presence.update(held.visible() || m.frozen, step, fade_in, fade_out);
+  m.turn.update(held.T_world_marker.rotation, step);
+}
+
+void Comparison::follow_card(Hand h, const Pose& T_world_camera, Duration step, Time now) {
+  Motion& m = motion(h);
+  const HeldMarker& held = hands_[h];
+  if (held.visible()) {
+    const double distance = norm(held.T_world_marker.translation - T_world_camera.translation);
+    if (distance > card_beyond) m.near = false;
+    if (distance > card_within)
+      m.near_since.reset();
+    else if (!m.near_since)
+      m.near_since = now;
+    m.near = m.near || (m.near_since && now - *m.near_since >= card_after);
   }
-  const double change = held.visible() ? step.seconds() / fade_in.seconds() : -step.seconds() / fade_out.seconds();
-  m.presence = std::clamp(m.presence + change, 0.0, 1.0);
-  m.turn.update(own(h), step);
+  m.card.update((m.near || cards_) && (held.held || m.frozen), step);
 }
 
-bool Comparison::choose_link(Time now) {
-  view_.both_visible = hands_[Hand::left].visible() && hands_[Hand::right].visible();
-  std::optional<double> distance;
-  if (view_.both_visible)
-    distance = norm(hands_[Hand::left].T_world_marker.translation - hands_[Hand::right].T_world_marker.translation);
-  const bool gestured = gesture_.update(distance, now);
-  const bool change = gestured != std::exchange(toggle_asked_, false);
-  linked_ = linked_ != change;
-  return change;
+void Comparison::press_keys(Time now) {
+  for (const char key : std::span(keys_).first(std::exchange(key_count_, 0))) {
+    if (key == 'i') cards_ = !cards_;
+    if (key == 'x' && hands_.exchange()) exchange_hands();
+    if (const std::optional<Sign> sign = sign_of(key, mode_)) apply({*sign, {}}, now);
+  }
 }
 
-bool Comparison::choose_leader(Time now) {
+void Comparison::look_for_signs(Time now) {
+  StickPair pair;
+  pair.both_visible = view_.both_visible;
+  pair.both_held = hands_[Hand::left].held && hands_[Hand::right].held;
+  for (const Hand h : both_hands)
+    for (std::size_t i = 0; i < pair.points[0].size(); ++i)
+      pair.points[static_cast<std::size_t>(h)][i] = hands_[h].T_world_marker * carried_by(h).points[i];
+  pair.right_to_left =
+      normalized(hands_[Hand::left].T_world_marker.rotation.conjugate() * hands_[Hand::right].T_world_marker.rotation);
+  if (const std::optional<MadeSign> made = signs_.update(pair, mode_, now)) apply(*made, now);
+}
+
+void Comparison::apply(const MadeSign& made, Time) {
+  const ModeRule* rule = find_rule(mode_, made.sign);
+  if (!rule) return;
+  const CompareMode before = std::exchange(mode_, after(mode_, *rule));
+  changed_ = true;
+  if (view_.event_count < static_cast<int>(view_.events.size()))
+    view_.events[static_cast<std::size_t>(view_.event_count++)] = rule->words.empty() ? "End" : rule->words;
+  if (rule->act == Act::snapshot) view_.snapshot = true;
+  if (rule->act == Act::freeze) freeze(made);
+  if (mode_.link == Link::mirrored && before.link != Link::mirrored)
+    mirror_normal_ = rotate(T_world_camera_.rotation, {1, 0, 0});
+  if (before.tool != Tool::none || mode_.tool == Tool::none) return;
+  pointer_ = made.pointer.value_or(preferred());
+  base_ = other(preferred());
+  ruler_.begin();
+  // What stands between the eyes and the plane is cut away.
+  const SectionPlane plane = plane_of_stick(hands_[pointer_].T_world_marker, false);
+  plane_flipped_ = dot(plane.normal, T_world_camera_.translation) > plane.offset;
+}
+
+// By key there is no stick that points: what is frozen is let go, or else the model in the hand that holds is frozen.
+void Comparison::freeze(const MadeSign& made) {
+  std::optional<Hand> h;
+  if (made.pointer) h = other(*made.pointer);
+  for (const Hand frozen : both_hands)
+    if (!h && motion(frozen).frozen) h = frozen;
+  Motion& m = motion(h.value_or(other(preferred())));
+  if (m.frozen)
+    m.frozen.reset();
+  else if (m.presence.value() > 0)
+    m.frozen = m.place.shown();
+}
+
+std::optional<Hand> Comparison::set_leader() const {
+  if (mode_.laid_over()) return base_;
+  if (mode_.tool == Tool::section || mode_.tool == Tool::measure) return other(pointer_);
+  return std::nullopt;
+}
+
+void Comparison::choose_leader(Time now) {
+  const auto lead = [&](Hand h) {
+    changed_ = changed_ || (linked() && h != leader_);
+    leader_ = h;
+  };
+  if (const std::optional<Hand> set = set_leader()) {
+    if (hands_[*set].held) lead(*set);
+    return;
+  }
   const HeldMarker& leading = hands_[leader_];
   const HeldMarker& following = hands_[other(leader_)];
-  if (!following.visible()) return false;
+  if (!following.visible()) return;
   const bool gone = !leading.held || (!leading.visible() && now - leading.seen > leader_missed);
   const double turn = motion(other(leader_)).turn.angle();
   const bool turned = turn > takes_lead && turn > clearly_more * motion(leader_).turn.angle();
-  if (!gone && !turned) return false;
-  leader_ = other(leader_);
-  return linked_;
+  if (gone || turned) lead(other(leader_));
 }
 
-// The model turns about its own middle, which stays where its stick holds it.
 void Comparison::fill_hand(Hand h, Time now) {
   const HeldMarker& held = hands_[h];
-  HandView& v = view_.hands[static_cast<std::size_t>(h)];
+  Motion& m = motion(h);
+  HandView& v = seen(h);
   v.held = held.held;
-  v.marker_id = held.id;
+  v.marker_id = m.id;
   v.state = held.state;
-  v.opacity = held.held ? smooth_step(motion(h).presence) : 0;
-  v.leads = linked_ && h == leader_;
-  v.T_world_model.rotation = motion(h).rotation.update(followed(h), now);
-  const CarriedModel* carried = carried_by(held.id);
-  const Vec3 pivot = carried ? carried->pivot : Vec3{};
-  v.T_world_model.translation = held.T_world_marker * pivot - rotate(v.T_world_model.rotation, pivot);
+  v.world_from_marker = world_from_marker(h);
+  v.opacity = held.held || m.frozen ? m.presence.value() : 0;
+  v.shown = 1 - m.aside.value();
+  v.card = m.card.value();
+  v.leads = linked() && h == leader_;
+  v.frozen = m.frozen.has_value();
   v.label.clear();
-  if (held.held) print_label(held, carried ? carried->words.view() : std::string_view(), now, v.label);
+  if (held.held) print_label(held, carried_by(h).words.view(), v.frozen, now, v.label);
 }
 
-const CarriedModel* Comparison::carried_by(int marker_id) const {
-  const auto found = std::ranges::find(carried_, marker_id, &CarriedModel::marker_id);
-  return found == carried_.end() ? nullptr : &*found;
+const CarriedModel& Comparison::carried_by(Hand h) const {
+  const auto found = std::ranges::find(carried_, motion(h).id, &CarriedModel::marker_id);
+  return found == carried_.end() ? nothing : *found;
+}
+
+void Comparison::fill_offer() {
+  view_.offer.reset();
+  if (!signs_.offer()) return;
+  const OfferedSign& offered = *signs_.offer();
+  const ModeRule* rule = find_rule(mode_, offered.made.sign);
+  if (!rule) return;
+  const bool lets_go = rule->act == Act::freeze && offered.made.pointer && motion(other(*offered.made.pointer)).frozen;
+  view_.offer = OfferView{lets_go ? "Let go" : rule->words, offered.place_world, offered.progress};
 }
 
 void Comparison::fill_relative() {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/frame_record.h"
+#include "scene/comparison_view.h"
 #include "scene/hands.h"
-#include "scene/link_gesture.h"
-#include "scene/text.h"
+#include "scene/measuring.h"
+#include "scene/sign_finder.h"
 #include "scene/turning.h"
 
 #include <array>
@@ -11,51 +12,24 @@
 
 namespace onestroke {
 
-/// What a marker carries. Where it carries nothing, or nothing yet, the pivot is the stick's corner.
+/// What a marker carries. Where it carries nothing, or nothing yet, the pivot is the stick's corner and the reach zero.
 struct CarriedModel {
   int marker_id = 0;
-  Text words{};  ///< What the label says besides the marker's name: the model's, or how far it is with loading.
-  Vec3 pivot{};  ///< What the model turns about when it is turned on its own: its middle. Marker frame, mm.
+  Text words{};      ///< What the label says besides the marker's name: the model's, or how far it is with loading.
+  Vec3 pivot{};      ///< What the model turns about when it is turned on its own: its middle. Marker frame, mm.
+  double reach = 0;  ///< No part of the model is farther from the pivot, mm.
+  Similarity marker_from_model{};  ///< From the model's own frame in metres.
+  StickPoints points{};            ///< Where the stick touches others; marker frame, mm.
 };
 
-/// One hand's model, ready to be drawn.
-struct HandView {
-  bool held = false;
-  int marker_id = 0;
-  MarkerState state = MarkerState::lost;
-  /// In place of T_world_marker: the stick's place with the rotation that the model shows. Equal to the stick's own
-  /// pose where the hand leads or nothing is linked.
-  Pose T_world_model;
-  double opacity = 0;  ///< 0 where the model is not to be drawn; eased when a stick is lost or found.
-  bool leads = false;  ///< Linked, and both models show this stick's rotation.
-  Text label;
+struct ComparisonOptions {
+  bool left_handed = false;  ///< The left hand points, the right one holds.
 };
 
-/// How the right stick stands to the left one.
-struct RelativePose {
-  double angle_deg = 0;
-  Vec3 axis;            ///< Unit, in the left stick's frame; zero where there is no turn to speak of.
-  Vec3 euler_deg;       ///< Rotation (X, Y, Z).
-  double distance = 0;  ///< Between the corners, mm.
-  Text axis_words;
-};
-
-struct ComparisonView {
-  std::array<HandView, 2> hands;  ///< Left, right.
-  bool linked = false;
-  double link_progress = 0;  ///< Of the gesture that links or unlinks, 0 to 1.
-  bool both_visible = false;
-  RelativePose relative;  ///< Valid where both are visible.
-  std::array<Text, 4> lines;
-  int line_count = 0;
-
-  const HandView& operator[](Hand h) const { return hands[static_cast<std::size_t>(h)]; }
-  std::span<const Text> hud() const { return {lines.data(), static_cast<std::size_t>(line_count)}; }
-};
-
-/// The comparison of two models, one in each hand. Unlinked, each model turns with its own stick. Linked, both show the
-/// same side: that of the stick which turned last, while each stays at its own stick's place. No rendering, no clock of
-/// its own: the same records at the same times give the same views. One thread. No allocation after the constructor.
+/// The comparison of two models, one in each hand. The hand that is not preferred sets the frame, the preferred one
+/// works in it (Guiard 1987; Hinckley 1994). What the sticks do changes the mode as compare_modes.h says; keys do the
+/// same. No rendering, no clock of its own: the same records and keys at the same times give the same views. One
+/// thread. No allocation after the constructor.
 class Comparison {
  public:
   static constexpr Duration fade_in = Duration::from_ms(150), fade_out = Duration::from_ms(400);
@@ -65,14 +39,21 @@ class Comparison {
   static constexpr double clearly_more = 2;
   /// A leader out of sight for so long hands the lead to the visible stick.
   static constexpr Duration leader_missed = Duration::from_ms(300);
+  /// A stick so near to the eyes shows its model's card, until it is farther than the second; mm.
+  static constexpr double card_within = 300, card_beyond = 340;
+  static constexpr Duration card_after = Duration::from_ms(400);
 
   /// What is carried outlives this, stays where it is, and may change between updates.
-  explicit Comparison(std::span<const CarriedModel> carried) : carried_(carried) {}
+  explicit Comparison(std::span<const CarriedModel> carried, const ComparisonOptions& options = {});
   /// As in the constructor, in place of what was carried.
   void carry(std::span<const CarriedModel> carried) { carried_ = carried; }
+  /// How the model that is laid over the other fits it best, in the models' own frames, metres; none where that is not
+  /// known, or not yet.
+  void set_fit(const std::optional<Similarity>& base_from_laid);
 
-  /// What the key does: links, or unlinks, with the next update.
-  void toggle() { toggle_asked_ = !toggle_asked_; }
+  /// What a key does happens with the next update: those of sign_keys, x (exchanges the hands) and i (the cards).
+  /// False where it means nothing.
+  bool press(char key);
   /// One frame. `now` is the time that the frame shows; it does not go back.
   const ComparisonView& update(const FrameRecord& record, Time now);
   const ComparisonView& view() const { return view_; }
@@ -81,27 +62,66 @@ class Comparison {
   // What belongs to a stick besides where it is; it changes hands with it.
   struct Motion {
     int id = 0;
-    double presence = 0;  // Linear in time; the opacity is its smooth step.
-    BlendedRotation rotation;
+    Eased presence;
+    bool fresh = true;  // nothing of it was shown before
+    BlendedPlace place;
     TurnMeter turn;
+    std::optional<ModelPlace> frozen;
+    std::optional<Time> near_since;
+    bool near = false;
+    Eased card, aside;  // aside: the model of a stick that cuts is not to be seen
   };
 
   Motion& motion(Hand h) { return motions_[static_cast<std::size_t>(h)]; }
-  Quat own(Hand h) const { return hands_[h].T_world_marker.rotation; }
-  Quat followed(Hand h) const { return own(linked_ ? leader_ : h); }
+  const Motion& motion(Hand h) const { return motions_[static_cast<std::size_t>(h)]; }
+  HandView& seen(Hand h) { return view_.hands[static_cast<std::size_t>(h)]; }
+  Hand preferred() const { return options_.left_handed ? Hand::left : Hand::right; }
+  bool linked() const { return mode_.link != Link::apart; }
+  /// Carried by the stick that the hand holds, or held.
+  const CarriedModel& carried_by(Hand h) const;
+
+  void exchange_hands();
   void follow_motion(Hand h, Duration step);
-  bool choose_link(Time now);
-  bool choose_leader(Time now);
+  void follow_card(Hand h, const Pose& T_world_camera, Duration step, Time now);
+  void press_keys(Time now);
+  void look_for_signs(Time now);
+  void apply(const MadeSign& made, Time now);
+  void freeze(const MadeSign& made);
+  void choose_leader(Time now);
+  /// The stick whose turns both models must show in this mode, where it is not the one that turns most.
+  std::optional<Hand> set_leader() const;
+
+  Quat followed(Hand h) const;
+  Vec3 held_middle(Hand h) const;
+  /// Where the hand's model belongs now. That of the other hand has been placed before, where it depends on it.
+  ModelPlace target(Hand h) const;
+  Similarity world_from_marker(Hand h) const;
+  Similarity base_from_laid() const;
+  void place(Hand h, Time now);
+
+  void cut(Duration step);
+  void measure(Duration step, Time now);
   void fill_hand(Hand h, Time now);
+  void fill_offer();
   void fill_relative();
-  const CarriedModel* carried_by(int marker_id) const;
 
   std::span<const CarriedModel> carried_;
+  ComparisonOptions options_;
   Hands hands_;
-  LinkGesture gesture_;
+  SignFinder signs_;
   std::array<Motion, 2> motions_;
-  bool linked_ = false, toggle_asked_ = false, started_ = false;
+  CompareMode mode_;
   Hand leader_ = Hand::left;
+  Hand pointer_ = Hand::right, base_ = Hand::left;  // roles, where the mode has them
+  std::array<char, 8> keys_{};
+  std::size_t key_count_ = 0;
+  bool cards_ = false, started_ = false, changed_ = false, plane_flipped_ = false;
+  Pose T_world_camera_;
+  Vec3 mirror_normal_{1, 0, 0};
+  std::optional<Similarity> fit_;
+  Eased laid_, cutting_, measuring_;
+  SectionPlane plane_;
+  Measuring ruler_;
   Time last_;
   ComparisonView view_;
 };

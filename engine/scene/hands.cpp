@@ -47,6 +47,7 @@ void Hands::follow_held(const FrameRecord& record, Time now) {
 void Hands::take_up_new(const FrameRecord& record, Time now) {
   for (int round = 0; round < 2; ++round) {
     const bool left_free = !held_[0].held, right_free = !held_[1].held;
+    if (left_free && right_free) exchanged_ = false;
     if (!left_free && !right_free) return;
     const MarkerObservation* nearest = nullptr;
     for (const MarkerObservation& m : record.seen()) {
@@ -65,7 +66,8 @@ void Hands::take_up_new(const FrameRecord& record, Time now) {
 }
 
 bool Hands::exchange_when_crossed(Time now) {
-  const bool wrong_way = held_[0].visible() && held_[1].visible() && held_[0].image_x - held_[1].image_x > crossed;
+  const double past = exchanged_ ? held_[1].image_x - held_[0].image_x : held_[0].image_x - held_[1].image_x;
+  const bool wrong_way = held_[0].visible() && held_[1].visible() && past > crossed;
   if (!wrong_way) {
     crossing_ = false;
     return false;
@@ -75,6 +77,14 @@ bool Hands::exchange_when_crossed(Time now) {
   if (now - crossing_since_ < crossed_for) return false;
   crossing_ = false;
   std::swap(held_[0], held_[1]);
+  return true;
+}
+
+bool Hands::exchange() {
+  if (!held_[0].held || !held_[1].held) return false;
+  std::swap(held_[0], held_[1]);
+  exchanged_ = !exchanged_;
+  crossing_ = false;
   return true;
 }
 

@@ -42,6 +42,9 @@ class Hands {
   /// Returns true where the two sticks changed hands. No allocation.
   bool update(const FrameRecord& record, Time now);
 
+  /// Gives each hand the other's stick, which then counts as its own side's. False where not both hold one.
+  bool exchange();
+
   const HeldMarker& operator[](Hand h) const { return held_[static_cast<std::size_t>(h)]; }
 
  private:
@@ -52,6 +55,7 @@ class Hands {
 
   std::array<HeldMarker, 2> held_;
   bool crossing_ = false;
+  bool exchanged_ = false;  // the left hand holds what is on the right, and that is meant
   Time crossing_since_;
 };
 

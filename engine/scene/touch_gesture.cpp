@@ -52,16 +52,21 @@ void TouchGesture::let_go() {
 std::optional<Touch> TouchGesture::update(const std::optional<std::array<StickPoints, 2>>& sticks, Time now) {
   const Duration step = now - seen_;
   if (!sticks) {
-    if (step > longest_gap) let_go();
+    if (step > longest_gap) {
+      approached_.reset();
+      let_go();
+    }
     return std::nullopt;
   }
   seen_ = now;
+  approached_.reset();
   if (!armed_) {
     const Vec3 between = at((*sticks)[1], last_.right) - at((*sticks)[0], last_.left);
     armed_ = norm(between) > parted_factor * near(last_);
     return std::nullopt;
   }
   const Nearest found = nearest(*sticks);
+  if (found.distance < approach_factor && found.second > clearly_nearer * found.distance) approached_ = found.touch;
   const bool goes_on = candidate_ == found.touch && step <= longest_gap;
   if (found.distance > (goes_on ? hold_factor : 1) || found.second < clearly_nearer * found.distance) {
     let_go();

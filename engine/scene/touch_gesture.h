@@ -31,6 +31,8 @@ class TouchGesture {
   static constexpr double near_mm = 14, near_corners_mm = 30;
   /// What is held together may go so much farther apart before it counts as let go.
   static constexpr double hold_factor = 1.3;
+  /// From so much farther away a touch is spoken of.
+  static constexpr double approach_factor = 3;
   /// Other places must be so much farther apart than those that are meant.
   static constexpr double clearly_nearer = 1.5;
   static constexpr double parted_factor = 1.8;
@@ -45,6 +47,8 @@ class TouchGesture {
 
   /// The touch that is being made or would be next, for something to be shown at it; none where none is near.
   const std::optional<Touch>& candidate() const { return candidate_; }
+  /// As candidate(), and from farther away: what the sticks are about to do, for words to be shown at it.
+  const std::optional<Touch>& approached() const { return approached_; }
   /// 0 at rest, growing to 1 when the touch is complete.
   double progress() const { return progress_; }
   /// Whether the touch that counted last is still held.
@@ -62,7 +66,7 @@ class TouchGesture {
   static Nearest nearest(const std::array<StickPoints, 2>& sticks);
   void let_go();
 
-  std::optional<Touch> candidate_;
+  std::optional<Touch> candidate_, approached_;
   bool armed_ = true;
   Touch last_;  // that counted
   Duration held_for_;

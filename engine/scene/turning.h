@@ -28,6 +28,45 @@ class BlendedRotation {
   Time start_;
 };
 
+/// Where a model is shown: turned and sized about its middle.
+struct ModelPlace {
+  Quat rotation;
+  Vec3 middle;  ///< World, mm.
+  double scale = 1;
+};
+
+/// A place that follows another, as BlendedRotation does.
+class BlendedPlace {
+ public:
+  static constexpr Duration length = BlendedRotation::length;
+
+  void go_over_to(const ModelPlace& target, Time now);
+  void set(const ModelPlace& target);
+  const ModelPlace& update(const ModelPlace& target, Time now);
+  const ModelPlace& shown() const { return shown_; }
+
+ private:
+  BlendedRotation rotation_;
+  ModelPlace shown_;
+  Vec3 rest_middle_;
+  double rest_log_scale_ = 0;
+  Time start_;
+};
+
+/// A switch that goes over without a kink.
+class Eased {
+ public:
+  static constexpr Duration usual = Duration::from_ms(150);
+
+  /// `in` and `out`: how long the whole way takes.
+  void update(bool on, Duration step, Duration in = usual, Duration out = usual);
+  void reset() { linear_ = 0; }
+  double value() const { return smooth_step(linear_); }
+
+ private:
+  double linear_ = 0;
+};
+
 /// How far a stick is turning: the angle to its own smoothed past, radians. A steady turn of w rad/s gives w * memory.
 class TurnMeter {
  public:

@@ -13,7 +13,9 @@ TEST(ComparisonAllocation, NoFrameAllocates) {
   Stick left{.id = 1, .place = {-100, 0, 400}}, right{.id = 2, .place = {100, 0, 400}};
   const long before = test::allocations_of_this_thread();
   for (int ms = 0; ms < 6000; ms += 10) {
-    if (ms == 1000) comparison.toggle();
+    // Every mode is entered and left.
+    constexpr std::string_view keys = "llloobbccmmffpixx";
+    if (ms % 100 == 0) comparison.press(keys[static_cast<std::size_t>(ms) / 100 % keys.size()]);
     left.place.x = ms > 2000 && ms < 3000 ? 80 : -100;
     right.state = ms > 4000 ? MarkerState::lost : MarkerState::measured;
     right.rotation = exp_so3({0, 0.03, 0}) * right.rotation;

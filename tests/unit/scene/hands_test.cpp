@@ -1,6 +1,5 @@
 #include "scene/hands.h"
 
-#include "scene/link_gesture.h"
 #include "sticks.h"
 
 #include <gtest/gtest.h>
@@ -99,55 +98,35 @@ TEST(Hands, TheWorldPoseTakesTheHeadIntoAccount) {
   EXPECT_NEAR(norm(hands[Hand::left].T_world_marker.translation - expected), 0, 1e-9);
 }
 
-class Gesture : public testing::Test {
- protected:
-  // Holds the distance for so long, a frame each 10 ms; returns how often the gesture worked.
-  int hold(std::optional<double> distance, double ms) {
-    int worked = 0;
-    for (double end = now_ + ms; now_ < end; now_ += 10) worked += gesture_.update(distance, at_ms(now_)) ? 1 : 0;
-    return worked;
-  }
-
-  LinkGesture gesture_;
-  double now_ = 0;
-};
-
-TEST_F(Gesture, WorksOnceAfterTheHoldAndShowsItsProgress) {
-  EXPECT_EQ(hold(200, 500), 0);
-  EXPECT_EQ(hold(50, 310), 0);
-  EXPECT_NEAR(gesture_.progress(), 0.5, 0.02);
-  EXPECT_EQ(hold(50, 250), 0);
-  EXPECT_GT(gesture_.progress(), 0.9);
-  EXPECT_EQ(hold(50, 5000), 1);
-  EXPECT_EQ(gesture_.progress(), 0);
+TEST(Hands, ExchangedOnPurposeStayExchanged) {
+  Hands hands;
+  const FrameRecord record = record_of({stick(1, -100), stick(2, 100)});
+  EXPECT_FALSE(hands.exchange());
+  hands.update(record, at_ms(0));
+  EXPECT_TRUE(hands.exchange());
+  for (int ms = 10; ms < 3000; ms += 10) EXPECT_FALSE(hands.update(record, at_ms(ms)));
+  EXPECT_EQ(hands[Hand::left].id, 2);
+  // And are changed back by crossing them.
+  const FrameRecord crossed = record_of({stick(1, 100), stick(2, -100)});
+  int changed = 0;
+  for (int ms = 3000; ms < 5000; ms += 10) changed += hands.update(crossed, at_ms(ms)) ? 1 : 0;
+  EXPECT_EQ(changed, 1);
+  EXPECT_EQ(hands[Hand::left].id, 1);
 }
 
-TEST_F(Gesture, NeedsThePartingBeforeTheNext) {
-  EXPECT_EQ(hold(50, 1000), 1);
-  hold(85, 1000);
-  EXPECT_EQ(hold(50, 1000), 0);
-  hold(91, 20);
-  EXPECT_EQ(hold(50, 1000), 1);
-}
-
-TEST_F(Gesture, LettingGoOrLosingAStickBreaksItOff) {
-  EXPECT_EQ(hold(50, 550), 0);
-  EXPECT_EQ(hold(70, 10), 0);
-  EXPECT_EQ(gesture_.progress(), 0);
-  EXPECT_EQ(hold(50, 550), 0);
-  EXPECT_EQ(hold(std::nullopt, 10), 0);
-  EXPECT_EQ(hold(50, 550), 0);
-}
-
-TEST_F(Gesture, TremblingAboutTheLimitDoesNotBreakItOff) {
-  int worked = 0;
-  for (int i = 0; i < 40; ++i) worked += hold(59, 10) + hold(63, 10);
-  EXPECT_EQ(worked, 1);
-}
-
-TEST_F(Gesture, DoesNotBeginBeyondTheLimit) {
-  EXPECT_EQ(hold(63, 5000), 0);
-  EXPECT_EQ(gesture_.progress(), 0);
+TEST(Hands, AThirdStickWaitsUntilAHandIsFree) {
+  Hands hands;
+  hands.update(record_of({stick(1, -100), stick(2, 100)}), at_ms(0));
+  // Nearer than the other two, and between them.
+  Stick third = stick(3, 0);
+  third.place.z = 250;
+  int ms = 10;
+  for (; ms < 2000; ms += 10) hands.update(record_of({stick(1, -100), stick(2, 100), third}), at_ms(ms));
+  EXPECT_EQ(hands[Hand::left].id, 1);
+  EXPECT_EQ(hands[Hand::right].id, 2);
+  for (; ms < 4000; ms += 10) hands.update(record_of({stick(1, -100), third}), at_ms(ms));
+  EXPECT_EQ(hands[Hand::left].id, 1);
+  EXPECT_EQ(hands[Hand::right].id, 3);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "scene/touch_gesture.h"
 
+#include "hand_motion.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,74 +19,19 @@ StickPoints points_of(const Pose& T) {
   return {T * Vec3{0, -arm, 0}, T.translation, T * Vec3{arm, 0, 0}};
 }
 
-/// A hand on its way from pose to pose, each move with the least jerk, with rests between and a tremor on it.
-class HandMotion {
- public:
-  HandMotion(std::uint32_t seed, double side) : random_(seed), side_(side) {
-    from_ = to_ = anywhere();
-    phase_ = uniform(0, 6);
-  }
-
-  Pose at(double seconds) {
-    while (seconds > end_ + rest_) begin_move();
-    const double u = std::clamp((seconds - start_) / (end_ - start_), 0.0, 1.0);
-    const double s = u * u * u * (10 + u * (6 * u - 15));
-    Pose T{interpolated(s), from_.translation + s * (to_.translation - from_.translation)};
-    for (int k = 0; k < 3; ++k) {
-      const double wave = std::sin(2 * std::numbers::pi * (7.5 + k) * seconds + phase_ + k);
-      (k == 0 ? T.translation.x : k == 1 ? T.translation.y : T.translation.z) += 0.5 * wave;
-    }
-    return T;
-  }
-
- private:
-  double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
-  Quat interpolated(double s) const {
-    return exp_so3(s * log_so3(to_.rotation * from_.rotation.conjugate())) * from_.rotation;
-  }
-  // In front of the wearer, each hand on its own side and a little beyond the middle.
-  Pose anywhere() {
-    return {exp_so3({uniform(-1.5, 1.5), uniform(-1.5, 1.5), uniform(-1.5, 1.5)}),
-            {side_ * uniform(-20, 220), uniform(-130, 130), uniform(380, 520)}};
-  }
-  void begin_move() {
-    start_ = end_ + rest_;
-    end_ = start_ + uniform(0.4, 1.6);
-    rest_ = uniform(0, 2.5);
-    from_ = to_;
-    to_ = anywhere();
-  }
-
-  std::mt19937 random_;
-  double side_, start_ = -1, end_ = 0, rest_ = 0, phase_ = 0;
-  Pose from_, to_;
-};
-
-/// The tracker: noise, more along the line of sight, and times at which it does not see a stick.
+/// The places of both sticks, as the tracker sees them.
 class Seen {
  public:
-  explicit Seen(std::uint32_t seed) : random_(seed) {}
+  explicit Seen(std::uint32_t seed) : eyes_(seed) {}
 
   std::optional<std::array<StickPoints, 2>> see(const Pose& left, const Pose& right, double seconds) {
-    if (seconds > next_gap_) {
-      gap_ends_ = seconds + uniform(0.03, 0.3);
-      next_gap_ = gap_ends_ + uniform(0.5, 6);
-    }
-    if (seconds < gap_ends_) return std::nullopt;
-    return std::array{points_of(noisy(left)), points_of(noisy(right))};
+    const auto poses = eyes_.see(left, right, seconds);
+    if (!poses) return std::nullopt;
+    return std::array{points_of((*poses)[0]), points_of((*poses)[1])};
   }
 
  private:
-  double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
-  Pose noisy(Pose T) {
-    std::normal_distribution<double> one(0, 1);
-    T.translation = T.translation + Vec3{0.1 * one(random_), 0.1 * one(random_), 0.6 * one(random_)};
-    T.rotation = exp_so3({0.004 * one(random_), 0.004 * one(random_), 0.004 * one(random_)}) * T.rotation;
-    return T;
-  }
-
-  std::mt19937 random_;
-  double next_gap_ = 1, gap_ends_ = 0;
+  NoisyEyes eyes_;
 };
 
 constexpr double rate = 30;  // pictures a second
