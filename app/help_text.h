@@ -96,8 +96,10 @@ Exchange form, lengths in millimetres:
     "shape": {"kind": "angle", "cells": 36, "pitch": 4.0, "radius": 3.0, "bend_radius": 0.0}}]}
 "value": NUMBER may stand for "cells". Other shapes: "line" (no bend_radius), and "stroke" with "vertices": [[x,y,z], ...].
 Models are glTF, STL, OBJ or PLY files, their paths from the catalogue's folder. To say more of one:
-  "model": {"file": "part.stl", "unit": "in", "up": "y", "fit": 60}
+  "model": {"file": "part.stl", "unit": "in", "up": "y", "fit": 60,
+    "name": "Bracket", "version": "v2", "notes": {"material": "6061-T6"}}
 "unit": "m", "cm", "mm", "in" or "ft"; "up": "x", "y" or "z". Usual are metres and y up in glTF, millimetres and y up in OBJ,
-millimetres and z up in STL and PLY. "fit" makes the longest side so many millimetres; otherwise a model has its size.)";
+millimetres and z up in STL and PLY. "fit" makes the longest side so many millimetres; otherwise a model has its size.
+"notes" are keys and texts of your own, in the order in which they are shown.)";
 
 }  // namespace onestroke::help

@@ -85,6 +85,19 @@ View flattest_view(const std::vector<std::array<double, 3>>& points) {
   return {along == 0 ? 1u : 0u, along == 2 ? 1u : 2u, along};
 }
 
+std::string model_text(const MarkerSpec& marker, const std::string& none) {
+  return marker.model.empty() ? none : marker.model + words_of(marker.import);
+}
+
+/// What is said of the model, each a row below it.
+std::vector<Row> model_rows(const MarkerSpec& marker) {
+  std::vector<Row> rows;
+  if (!marker.model_name.empty()) rows.push_back({"  name", marker.model_name});
+  if (!marker.version.empty()) rows.push_back({"  version", marker.version});
+  for (const auto& [key, text] : marker.notes) rows.push_back({"  " + key, text});
+  return rows;
+}
+
 }  // namespace
 
 std::string describe(const Catalog& catalog) {
@@ -92,7 +105,13 @@ std::string describe(const Catalog& catalog) {
   for (const MarkerSpec& m : catalog.markers)
     rows.push_back({std::to_string(m.id), m.name, kind_name(m.shape.kind()), std::to_string(m.shape.cells()),
                     number(m.shape.pitch()), number(m.shape.radius()), number(m.shape.bend_radius()),
-                    m.model.empty() ? "-" : m.model + words_of(m.import)});
+                    model_text(m, "-")});
+  const auto versioned = [](const MarkerSpec& m) { return !m.version.empty(); };
+  if (std::ranges::any_of(catalog.markers, versioned)) {
+    rows.front().push_back("VERSION");
+    for (std::size_t i = 0; i < catalog.markers.size(); ++i)
+      rows[i + 1].push_back(versioned(catalog.markers[i]) ? catalog.markers[i].version : "-");
+  }
   return table(rows);
 }
 
@@ -125,10 +144,10 @@ std::string letter_picture(const MarkerSpec& marker) {
 
 std::string describe(const MarkerSpec& marker) {
   const Shape& shape = marker.shape;
-  const std::vector<Row> rows{
+  std::vector<Row> rows{
       {"id", std::to_string(marker.id)},
       {"name", marker.name},
-      {"model", marker.model.empty() ? "none" : marker.model + words_of(marker.import)},
+      {"model", model_text(marker, "none")},
       {"cells", to_letters(marker.cells)},
       {"value", code_text(marker)},
       {"shape", std::string(kind_name(shape.kind())) + ", " + std::to_string(shape.cells()) + " cells of " +
@@ -140,6 +159,8 @@ std::string describe(const MarkerSpec& marker) {
       {"stop tip", point(shape.at(shape.length()).position) + " mm"},
       {"roll", shape.has_roll() ? "can be told: six degrees of freedom" : "cannot be told: five degrees of freedom"},
   };
+  const std::vector<Row> said = model_rows(marker);
+  rows.insert(rows.begin() + 3, said.begin(), said.end());
   return table(rows) + "\n" + letter_picture(marker);
 }
 

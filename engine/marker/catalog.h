@@ -6,9 +6,13 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace onestroke {
+
+/// What is said of a model: a key and what it is, such as "material" and "6061-T6".
+using ModelNote = std::pair<std::string, std::string>;
 
 /// One marker: what it is called, its code, its rod, and the model that stands on it (a path as written; empty for
 /// none) with what is said of it.
@@ -19,6 +23,9 @@ struct MarkerSpec {
   Shape shape;
   std::string model;
   ModelImport import{};
+  std::string model_name{};        ///< Its title; empty where it has none.
+  std::string version{};           ///< Of the model; empty where it has none.
+  std::vector<ModelNote> notes{};  ///< In the order in which they are shown; keys are unique and not empty.
 };
 
 /// Markers in the order of their ids; ids, names and codes (read from either end) are unique.

@@ -11,8 +11,7 @@
 namespace onestroke {
 namespace {
 
-using nlohmann::json;
-using nlohmann::ordered_json;
+using json = nlohmann::ordered_json;  // Notes keep their order.
 
 /// The JSON library keeps the last of two equal keys; here the second is an error.
 class DuplicateKeys {
@@ -137,6 +136,16 @@ Value word_from(const std::string& key, const json& value, std::optional<Value> 
   return *found;
 }
 
+std::vector<ModelNote> notes_from(const json& value) {
+  if (!value.is_object()) throw Error("\"notes\" must be an object, not " + std::string(value.type_name()));
+  std::vector<ModelNote> notes;
+  for (const auto& [key, text] : value.items()) {
+    if (!text.is_string()) throw Error("note \"" + key + "\" must be a text, not " + text.type_name());
+    notes.emplace_back(key, text.get<std::string>());
+  }
+  return notes;
+}
+
 /// A file name, or an object that says more.
 void read_model(const json& value, MarkerSpec& marker) {
   if (!value.is_object()) {
@@ -152,6 +161,9 @@ void read_model(const json& value, MarkerSpec& marker) {
   if (const json* up = object.optional("up"))
     marker.import.up = word_from<UpAxis>("up", *up, up_axis_of, up_axis_words);
   if (const json* fit = object.optional("fit")) marker.import.fit = Object::number("fit", *fit);
+  if (const json* name = object.optional("name")) marker.model_name = Object::text("name", *name);
+  if (const json* version = object.optional("version")) marker.version = Object::text("version", *version);
+  if (const json* notes = object.optional("notes")) marker.notes = notes_from(*notes);
   object.refuse_unknown();
 }
 
@@ -196,24 +208,27 @@ Catalog catalog_from(const json& document) {
   return catalog;
 }
 
-ordered_json to_json_value(const Shape& shape) {
+json to_json_value(const Shape& shape) {
   constexpr std::string_view kinds[] = {"angle", "stroke", "line"};
-  ordered_json value{{"kind", kinds[static_cast<int>(shape.kind())]},
-                     {"cells", shape.cells()},
-                     {"pitch", shape.pitch()},
-                     {"radius", shape.radius()}};
+  json value{{"kind", kinds[static_cast<int>(shape.kind())]},
+             {"cells", shape.cells()},
+             {"pitch", shape.pitch()},
+             {"radius", shape.radius()}};
   if (shape.kind() != Shape::Kind::line) value["bend_radius"] = shape.bend_radius();
   if (shape.kind() == Shape::Kind::stroke)
     for (const Vec3& v : shape.vertices()) value["vertices"].push_back({v.x, v.y, v.z});
   return value;
 }
 
-ordered_json model_value(const MarkerSpec& marker) {
-  if (marker.import == ModelImport{}) return marker.model;
-  ordered_json value{{"file", marker.model}};
+json model_value(const MarkerSpec& marker) {
+  json value{{"file", marker.model}};
   if (marker.import.unit) value["unit"] = word_of(*marker.import.unit);
   if (marker.import.up) value["up"] = word_of(*marker.import.up);
   if (marker.import.fit) value["fit"] = *marker.import.fit;
+  if (!marker.model_name.empty()) value["name"] = marker.model_name;
+  if (!marker.version.empty()) value["version"] = marker.version;
+  for (const auto& [key, text] : marker.notes) value["notes"][key] = text;
+  if (value.size() == 1) return marker.model;
   return value;
 }
 
@@ -231,12 +246,12 @@ std::string to_json(const Catalog& catalog) {
   std::string text = "{\"markers\": [";
   const char* separator = "\n";
   for (const MarkerSpec& marker : catalog.markers) {
-    ordered_json value{{"id", marker.id},
-                       {"name", marker.name},
-                       {"cells", to_letters(marker.cells)},
-                       {"shape", to_json_value(marker.shape)}};
+    json value{{"id", marker.id},
+               {"name", marker.name},
+               {"cells", to_letters(marker.cells)},
+               {"shape", to_json_value(marker.shape)}};
     if (!marker.model.empty()) value["model"] = model_value(marker);
-    text += separator + value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    text += separator + value.dump(-1, ' ', false, json::error_handler_t::replace);
     separator = ",\n";
   }
   return text + "\n]}\n";

@@ -12,7 +12,8 @@ namespace onestroke {
 /// What a message calls an entry, e.g. `marker 3 ("m03")`. number counts from 1 in a file, and is the id in a store.
 std::string entry_label(long long number, const std::string& name);
 
-/// Throws Error, without naming the entry, where a marker alone is wrong: id, name, code, or code and shape at odds.
+/// Throws Error, without naming the entry, where a marker alone is wrong: id, name, code, what is said of the model, or
+/// code and shape at odds.
 void check_marker(const MarkerSpec& marker);
 
 /// Keeps account of what must be unique in a catalogue.

@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "marker/catalog.h"
 #include "marker/catalog_rules.h"
+#include "marker/catalog_schema.h"
 #include "marker/sqlite.h"
 
 #include <set>
@@ -12,70 +13,6 @@ namespace {
 using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
-
-// 2 says more of the models than their files: columns unit, up and fit.
-constexpr long long format = 2;
-constexpr long long application_id = 0x31737472;  // "1str", written into the file's header
-
-constexpr const char* schema = R"(
-CREATE TABLE marker (
-  id INTEGER PRIMARY KEY CHECK (id BETWEEN 0 AND 2147483647),
-  name TEXT NOT NULL UNIQUE,
-  cells TEXT NOT NULL UNIQUE,
-  kind TEXT NOT NULL CHECK (kind IN ('angle', 'stroke', 'line')),
-  pitch REAL NOT NULL,
-  radius REAL NOT NULL,
-  bend_radius REAL NOT NULL,
-  model TEXT NOT NULL,
-  unit TEXT NOT NULL DEFAULT '' CHECK (unit IN ('', 'm', 'cm', 'mm', 'in', 'ft')),
-  up TEXT NOT NULL DEFAULT '' CHECK (up IN ('', 'x', 'y', 'z')),
-  fit REAL NOT NULL DEFAULT 0
-) STRICT;
-CREATE TABLE vertex (
-  marker INTEGER NOT NULL REFERENCES marker (id) ON DELETE CASCADE,
-  position INTEGER NOT NULL,
-  x REAL NOT NULL, y REAL NOT NULL, z REAL NOT NULL,
-  PRIMARY KEY (marker, position)
-) STRICT, WITHOUT ROWID;
-)";
-
-constexpr const char* from_1_to_2 = R"(
-ALTER TABLE marker ADD COLUMN unit TEXT NOT NULL DEFAULT '' CHECK (unit IN ('', 'm', 'cm', 'mm', 'in', 'ft'));
-ALTER TABLE marker ADD COLUMN up TEXT NOT NULL DEFAULT '' CHECK (up IN ('', 'x', 'y', 'z'));
-ALTER TABLE marker ADD COLUMN fit REAL NOT NULL DEFAULT 0;
-)";
-
-long long format_of(const Connection& database) {
-  Statement statement(database, "PRAGMA user_version");
-  return statement.step() ? statement.integer() : 0;
-}
-
-/// Inside a transaction.
-void bring_up_to_date(Connection& database) {
-  if (format_of(database) == format) return;
-  database.run(from_1_to_2);
-  database.run("PRAGMA user_version = " + std::to_string(format));
-}
-
-void create_tables(Connection& database) {
-  Transaction transaction(database, Transaction::Kind::write);
-  database.run(schema);
-  database.run("PRAGMA application_id = " + std::to_string(application_id));
-  database.run("PRAGMA user_version = " + std::to_string(format));
-  transaction.commit();
-}
-
-void check_format(Connection& database) {
-  const std::string name = database.file() + " ";
-  if (database.number("PRAGMA application_id") != application_id)
-    throw Error(name + "is no catalogue; name a database made by `onestroke marker import`");
-  const long long found = format_of(database);
-  if (found < 1 || found > format)
-    throw Error(name + "is a catalogue of format " + std::to_string(found) + " and this program knows formats up to " +
-                std::to_string(format) + "; update the program");
-  if (database.text("PRAGMA quick_check(1)") != "ok")
-    throw Error(name + "is damaged; restore a copy, or import the markers into a new file");
-}
 
 std::vector<Vec3> read_vertices(const Connection& database, int id) {
   Statement rows(database, "SELECT x, y, z FROM vertex WHERE marker = ? ORDER BY position");
@@ -98,6 +35,24 @@ ModelImport read_import(Statement& row) {
   return import;
 }
 
+std::vector<ModelNote> read_notes(const Connection& database, int id) {
+  if (format_of(database) < 3) return {};
+  Statement rows(database, "SELECT key, text FROM note WHERE marker = ? ORDER BY position");
+  rows.bind(static_cast<long long>(id));
+  std::vector<ModelNote> notes;
+  while (rows.step()) {
+    std::string key = rows.text();
+    notes.emplace_back(std::move(key), rows.text());
+  }
+  return notes;
+}
+
+/// The columns that say more of a model than its file, and what stands for those that an older format lacks.
+std::string model_columns(long long format) {
+  const std::string import = format < 2 ? "'', '', 0" : "unit, up, fit";
+  return import + (format < 3 ? ", '', ''" : ", model_name, version");
+}
+
 MarkerSpec read_marker(const Connection& database, Statement& row, int id, const std::string& name) {
   Cells cells = cells_from_letters(row.text());
   const std::string kind = row.text();
@@ -108,6 +63,9 @@ MarkerSpec read_marker(const Connection& database, Statement& row, int id, const
                                    : Shape::line(count, pitch, radius);
   MarkerSpec marker{id, name, std::move(cells), std::move(shape), row.text()};
   marker.import = read_import(row);
+  marker.model_name = row.text();
+  marker.version = row.text();
+  marker.notes = read_notes(database, id);
   check_marker(marker);
   return marker;
 }
@@ -115,9 +73,8 @@ MarkerSpec read_marker(const Connection& database, Statement& row, int id, const
 Catalog read_all(const Connection& database) {
   Catalog catalog;
   Uniqueness unique;
-  const std::string import = format_of(database) == 1 ? "'', '', 0" : "unit, up, fit";
-  Statement rows(database, "SELECT id, name, cells, kind, pitch, radius, bend_radius, model, " + import +
-                               " FROM marker ORDER BY id");
+  Statement rows(database, "SELECT id, name, cells, kind, pitch, radius, bend_radius, model, " +
+                               model_columns(format_of(database)) + " FROM marker ORDER BY id");
   while (rows.step()) {
     const int id = static_cast<int>(rows.integer());
     const std::string name = rows.text();
@@ -131,10 +88,17 @@ Catalog read_all(const Connection& database) {
   return catalog;
 }
 
+void insert_notes(Connection& database, const MarkerSpec& marker) {
+  Statement row(database, "INSERT INTO note VALUES (?, ?, ?, ?)");
+  long long position = 0;
+  for (const auto& [key, text] : marker.notes)
+    row.bind(static_cast<long long>(marker.id)).bind(position++).bind(key).bind(text).run();
+}
+
 void insert(Connection& database, const MarkerSpec& marker) {
   constexpr const char* kinds[] = {"angle", "stroke", "line"};
   const Shape& shape = marker.shape;
-  Statement(database, "INSERT INTO marker VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+  Statement(database, "INSERT INTO marker VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(static_cast<long long>(marker.id))
       .bind(marker.name)
       .bind(to_letters(marker.cells))
@@ -146,7 +110,10 @@ void insert(Connection& database, const MarkerSpec& marker) {
       .bind(marker.import.unit ? word_of(*marker.import.unit) : "")
       .bind(marker.import.up ? word_of(*marker.import.up) : "")
       .bind(marker.import.fit.value_or(0))
+      .bind(marker.model_name)
+      .bind(marker.version)
       .run();
+  insert_notes(database, marker);
   if (shape.kind() != Shape::Kind::stroke) return;
   Statement row(database, "INSERT INTO vertex VALUES (?, ?, ?, ?, ?)");
   long long position = 0;

@@ -134,6 +134,23 @@ TEST(MarkerDescription, SaysWhatIsSaidOfTheModel) {
   EXPECT_THAT(describe(Catalog{{part}}), HasSubstr("part.stl, in, z up, fit 60 mm\n"));
 }
 
+TEST(MarkerDescription, SaysWhatTheModelIs) {
+  MarkerSpec part = marker(4, "m04", 5, Shape::angle(8, 4, 1, 0), "part.stl");
+  part.model_name = "Bracket";
+  part.version = "v2";
+  part.notes = {{"material", "6061-T6"}, {"changed", "two ribs"}};
+  EXPECT_THAT(describe(part), HasSubstr("model        part.stl\n"
+                                        "  name       Bracket\n"
+                                        "  version    v2\n"
+                                        "  material   6061-T6\n"
+                                        "  changed    two ribs\n"
+                                        "cells "));
+  EXPECT_EQ(describe(Catalog{{part, marker(12, "m12", 2, Shape::line(6, 4, 3))}}),
+            "ID  NAME  SHAPE  CELLS  PITCH  RADIUS  BEND  MODEL     VERSION\n"
+            "4   m04   angle  8      4      1       0     part.stl  v2\n"
+            "12  m12   line   6      4      3       0     -         -\n");
+}
+
 TEST(MarkerDescription, ASharpAngleLooksLikeTheLetterL) {
   const MarkerSpec sharp = marker(1, "a", 0, Shape::angle(8, 4, 1, 0));
   EXPECT_EQ(letter_picture(sharp),

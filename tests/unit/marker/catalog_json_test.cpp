@@ -94,6 +94,53 @@ TEST(CatalogJson, WrongWordsOfAModelAreAnsweredWithTheRightOnes) {
     EXPECT_THAT(second_carrying(R"({"file": "a", "fit": )" + std::string(fit) + "}"), HasSubstr("\"fit\" must be"));
 }
 
+TEST(CatalogJson, AModelHasANameAVersionAndNotesInTheirOrder) {
+  Catalog catalog;
+  const MarkerSpec& part = carrying(catalog, R"({"notes": {"material": "6061-T6", "changed": "ribs", "a": ""},
+                                                 "version": "v2", "name": "Bracket", "file": "a"})");
+  EXPECT_EQ(part.model_name, "Bracket");
+  EXPECT_EQ(part.version, "v2");
+  const std::vector<ModelNote> notes{{"material", "6061-T6"}, {"changed", "ribs"}, {"a", ""}};
+  EXPECT_EQ(part.notes, notes);
+  EXPECT_THAT(to_json(catalog), HasSubstr(R"("model":{"file":"a","name":"Bracket","version":"v2",)"
+                                          R"("notes":{"material":"6061-T6","changed":"ribs","a":""}})"));
+  carrying(catalog, R"({"file": "a", "name": "", "version": "", "notes": {}})");
+  EXPECT_THAT(to_json(catalog), HasSubstr(R"("model":"a"})")) << "what is not said is not written";
+}
+
+std::string second_noted(const std::string& notes) {
+  return second_carrying(R"({"file": "a", "notes": )" + notes + "}");
+}
+
+std::string notes_of(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += (i == 0 ? "{\"" : ", \"") + std::to_string(i) + "\": \"\"";
+  return text + "}";
+}
+
+TEST(CatalogJson, NotesThatCannotBeShownAreRefused) {
+  EXPECT_THAT(second_noted(R"({"mass": 79})"),
+              AllOf(HasSubstr("marker 2 (\"m02\")"), HasSubstr("note \"mass\" must be a text, not number")));
+  EXPECT_THAT(second_noted(R"(["6061-T6"])"), HasSubstr("\"notes\" must be an object, not array"));
+  EXPECT_THAT(second_noted(R"({"": "x"})"), HasSubstr("empty key"));
+  EXPECT_THAT(second_noted(R"({"a": "x\ny"})"), HasSubstr("note \"a\" contains a control character"));
+  EXPECT_THAT(second_noted(R"({"b": "", "a\u001b": "x"})"), HasSubstr("note 2 contains a control character"));
+  EXPECT_THAT(second_noted(R"({"a": "1", "a": "2"})"), HasSubstr("\"a\" is given twice"));
+  EXPECT_THAT(second_noted(R"({"a": ")" + std::string(201, 'x') + "\"}"), HasSubstr("longer than 200 bytes"));
+  EXPECT_EQ(second_noted(R"({"a": ")" + std::string(200, 'x') + "\"}"), "no error");
+  EXPECT_THAT(second_noted(notes_of(33)), AllOf(HasSubstr("33 notes"), HasSubstr("at most 32")));
+  EXPECT_EQ(second_noted(notes_of(32)), "no error");
+}
+
+TEST(CatalogJson, NamesAndVersionsThatCannotBeShownAreRefused) {
+  EXPECT_THAT(second_carrying(R"({"file": "a", "version": 2})"), HasSubstr("\"version\" must be a text, not number"));
+  EXPECT_THAT(second_carrying(R"({"file": "a", "version": "\t"})"),
+              HasSubstr("the model's version contains a control"));
+  EXPECT_THAT(second_carrying(R"({"file": "a", "name": ")" + std::string(201, 'x') + "\"}"),
+              HasSubstr("the model's name is longer than 200"));
+  EXPECT_THAT(second_carrying(R"({"file": "", "version": "v2"})"), HasSubstr("there is no model"));
+}
+
 TEST(CatalogJson, RoundTripIsByteForByteStable) {
   const std::string once = to_json(example_catalog());
   const std::string twice = to_json(catalog_from_json(once, "catalog.json"));

@@ -94,6 +94,24 @@ TEST_F(CatalogStoreTest, ReplacingAStrokeLeavesNoOldVertices) {
   EXPECT_EQ(store.load().find(9)->shape.vertices().size(), 2u);
 }
 
+TEST_F(CatalogStoreTest, ReplacingAMarkerLeavesNoOldNotes) {
+  make();
+  CatalogStore store(file_);
+  MarkerSpec again = *example_catalog().find(5);
+  again.notes = {{"a", "first now"}, {"material", "6061-T6"}};
+  store.import({{again}}, true);
+  EXPECT_EQ(store.load().find(5)->notes, again.notes);
+}
+
+TEST_F(CatalogStoreTest, RefusesNotesThatCannotBeKept) {
+  make();
+  MarkerSpec twice = marker(20, "twice", 20, Shape::angle(36, 4, 3, 0), "a.stl");
+  twice.notes = {{"a", "1"}, {"b", "2"}, {"a", "3"}};
+  EXPECT_THAT(error_of([&] { CatalogStore(file_).import({{twice}}); }),
+              AllOf(HasSubstr("marker 20 (\"twice\")"), HasSubstr("note \"a\" is given twice")));
+  EXPECT_TRUE(same(CatalogStore(file_).load(), example_catalog()));
+}
+
 TEST_F(CatalogStoreTest, DoesNotMakeAFileUnlessTold) {
   EXPECT_THAT(error_of([&] { CatalogStore store(file_); }), HasSubstr("does not exist"));
   EXPECT_FALSE(fs::exists(file_));
@@ -115,8 +133,8 @@ TEST_F(CatalogStoreTest, RefusesFilesThatAreNoCatalogue) {
 
 TEST_F(CatalogStoreTest, RefusesANewerFormat) {
   make();
-  sql("PRAGMA user_version = 3");
-  EXPECT_THAT(error_of([&] { CatalogStore store(file_); }), AllOf(HasSubstr("format 3"), HasSubstr("update")));
+  sql("PRAGMA user_version = 4");
+  EXPECT_THAT(error_of([&] { CatalogStore store(file_); }), AllOf(HasSubstr("format 4"), HasSubstr("update")));
 }
 
 TEST_F(CatalogStoreTest, EveryTruncationIsSeen) {

@@ -11,28 +11,36 @@ using test::marker;
 using test::same;
 using testing::HasSubstr;
 
-/// The example as format 1 had it, which knew of files alone.
-class OldCatalogTest : public CatalogStoreTest {
+/// The example as an older format had it: 1 knew of files alone, 2 how to read them, but not what is said of the
+/// models.
+class OldCatalogTest : public CatalogStoreTest, public testing::WithParamInterface<int> {
  protected:
   void SetUp() override {
     CatalogStoreTest::SetUp();
-    for (MarkerSpec& marker : old_.markers) marker.import = {};
+    for (MarkerSpec& marker : old_.markers) {
+      if (GetParam() < 2) marker.import = {};
+      marker.model_name = marker.version = {};
+      marker.notes.clear();
+    }
     CatalogStore(file_, true).import(old_);
-    sql("ALTER TABLE marker DROP COLUMN unit; ALTER TABLE marker DROP COLUMN up; ALTER TABLE marker DROP COLUMN fit;"
-        "PRAGMA user_version = 1");
+    sql("DROP TABLE note; ALTER TABLE marker DROP COLUMN model_name; ALTER TABLE marker DROP COLUMN version;"
+        "PRAGMA user_version = 2");
+    if (GetParam() < 2)
+      sql("ALTER TABLE marker DROP COLUMN unit; ALTER TABLE marker DROP COLUMN up; ALTER TABLE marker DROP COLUMN fit;"
+          "PRAGMA user_version = 1");
   }
 
   Catalog old_ = example_catalog();
 };
 
-TEST_F(OldCatalogTest, IsReadWithoutBeingChanged) {
+TEST_P(OldCatalogTest, IsReadWithoutBeingChanged) {
   const std::string before = content(file_);
   EXPECT_TRUE(same(CatalogStore(file_).load(), old_));
   EXPECT_EQ(content(file_), before);
 }
 
-TEST_F(OldCatalogTest, IsBroughtUpToDateByTheFirstChange) {
-  const Catalog more{{test::with(marker(3, "new", 1, Shape::angle(36, 4, 3, 0), "part.stl"),
+TEST_P(OldCatalogTest, IsBroughtUpToDateByTheFirstChange) {
+  const Catalog more{{test::with(test::told_of(marker(3, "new", 1, Shape::angle(36, 4, 3, 0), "part.stl")),
                                  {.unit = LengthUnit::centimetre, .up = UpAxis::y, .fit = 55.5})}};
   CatalogStore(file_).import(more);
   Catalog all = old_;
@@ -40,12 +48,14 @@ TEST_F(OldCatalogTest, IsBroughtUpToDateByTheFirstChange) {
   EXPECT_TRUE(same(CatalogStore(file_).load(), all));
 }
 
-TEST_F(OldCatalogTest, StaysOldWhereTheChangeIsRefused) {
+TEST_P(OldCatalogTest, StaysOldWhereTheChangeIsRefused) {
   EXPECT_THAT(error_of([&] { CatalogStore(file_).import(old_); }), HasSubstr("nothing was changed"));
   EXPECT_TRUE(same(CatalogStore(file_).load(), old_));
   CatalogStore(file_).import(old_, true);
   EXPECT_TRUE(same(CatalogStore(file_).load(), old_));
 }
+
+INSTANTIATE_TEST_SUITE_P(Formats, OldCatalogTest, testing::Values(1, 2));
 
 }  // namespace
 }  // namespace onestroke
