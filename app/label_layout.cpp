@@ -1,5 +1,6 @@
 #include "app/label_layout.h"
 
+#include "app/scene_builder.h"
 #include "render/font.h"
 
 #include <algorithm>
@@ -52,11 +53,30 @@ double crowding(const Placed& a, const Placed& b, double em) {
 
 }  // namespace
 
+CardPlace place_card(const View& view, std::string_view text, Vec3 centre_world, double reach, bool to_right) {
+  const double em = text_em(view), focal = focal_of(view), edge = edge_ems * em;
+  Vec3 centre = inverse(view.T_world_view) * centre_world;
+  centre.z = std::max(centre.z, nearest);
+  const TextSize size = measure(text);
+  const double width = (static_cast<double>(size.width) + plate_width_ems) * em;
+  const double height = (static_cast<double>(size.height) + plate_width_ems / 2) * em;
+  const double u = (centre.x / centre.z - view.fov.left) * focal, v = (centre.y / centre.z + view.fov.up) * focal;
+  const double clear = reach / centre.z * focal + gap_ems * em;
+  // On the other side where this one has no room.
+  const bool room_right = u + clear + width + edge < view.viewport.width, room_left = u - clear - width - edge > 0;
+  const bool right = to_right ? room_right || !room_left : room_right && !room_left;
+  const double left = std::clamp(right ? u + clear : u - clear - width, edge,
+                                 std::max(edge, view.viewport.width - width - edge));
+  const double top = std::clamp(v - height / 2, edge, std::max(edge, view.viewport.height - height - edge));
+  const Vec3 in_view{(left / focal + view.fov.left) * centre.z, (top / focal - view.fov.up) * centre.z, centre.z};
+  return {view.T_world_view * in_view, em};
+}
+
 void place_labels(const View& view, std::span<const LabelWish> wishes, std::span<std::optional<LabelPlace>> places) {
   constexpr std::size_t most = 2;
   std::array<Placed, most> placed;
   const std::size_t count = std::min({most, wishes.size(), places.size()});
-  const double em = std::max(14.0, view.viewport.height / 40.0), focal = focal_of(view);
+  const double em = text_em(view), focal = focal_of(view);
   for (std::size_t i = 0; i < count; ++i) placed[i] = place(view, wishes[i], em);
   if (count == 2 && placed[0].seen && placed[1].seen) {
     // To just above the other, or where it was if that is higher.

@@ -21,6 +21,15 @@ struct LabelPlace {
   double height_px = 0;
 };
 
+struct CardPlace {
+  Vec3 position_world;  ///< Of its upper left corner.
+  double height_px = 0;
+};
+
+/// Puts a text of several lines beside its ball, to its right or left, inside the view, so that it covers the ball as
+/// little as can be.
+CardPlace place_card(const View& view, std::string_view text, Vec3 centre_world, double reach, bool to_right);
+
 /// Puts each label above its ball as the view sees it, inside the view, and lifts the first where two would overlap.
 /// Moves without jumps as the balls do. No place for what is behind the view.
 void place_labels(const View& view, std::span<const LabelWish> wishes, std::span<std::optional<LabelPlace>> places);

@@ -3,6 +3,7 @@
 #include "app/label_layout.h"
 #include "scene/frames.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -21,122 +22,224 @@ Matrix4 to_array(const glm::mat4& m) {
   return values;
 }
 
-Color faded(Color color, double opacity) {
-  color.a *= static_cast<float>(opacity);
-  return color;
+glm::mat4 to_graphics(const Similarity& s) {
+  const auto scale = static_cast<float>(s.scale);
+  return glm::scale(onestroke::to_graphics(Pose{s.rotation, s.translation}), glm::vec3(scale));
+}
+
+ClipPlane to_graphics(const SectionPlane& plane) {
+  const glm::vec3 n = direction_to_graphics(plane.normal);
+  return {n.x, n.y, n.z, static_cast<float>(-plane.offset * metres_per_millimetre)};
+}
+
+/// Between frames of models, which are graphics' own: metres and y up.
+Similarity to_similarity(const glm::dmat4& rigid) {
+  const auto at = [&](glm::length_t row, glm::length_t column) { return rigid[column][row]; };
+  const Mat3 rotation{{{at(0, 0), at(0, 1), at(0, 2)}, {at(1, 0), at(1, 1), at(1, 2)}, {at(2, 0), at(2, 1), at(2, 2)}}};
+  return {to_quat(rotation), {at(0, 3), at(1, 3), at(2, 3)}, 1};
 }
 
 }  // namespace
 
-TwoHands::TwoHands(const ModelShelf& shelf) : shelf_(shelf), comparison_(shelf.carried()), picture_depth_(shelf) {}
+TwoHands::TwoHands(const ModelShelf& shelf, DifferenceDesk* differences, const TwoHandsOptions& options)
+    : shelf_(shelf),
+      differences_(differences),
+      options_(options),
+      comparison_(shelf.carried(), {.left_handed = options.left_handed}),
+      picture_depth_(shelf) {}
 
 const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::span<const View> views,
                                    std::string_view status) {
+  const Duration step = started_ ? now - last_ : Duration{};
+  started_ = true;
+  last_ = now;
   comparison_.update(record, now);
-  instance_count_ = line_count_ = label_count_ = text_count_ = 0;
+  look_at_difference(step);
+  builder_.clear();
   add_sticks(record);
-  for (const HandView& hand : comparison_.view().hands) {
-    if (hand.opacity <= 0) continue;
-    add_model(hand);
-    add_axes(hand);
-  }
+  add_models();
   if (!views.empty()) {
-    add_labels(views.front());
-    if (words_) add_words(views.front(), status);
+    const View& view = views.front();
+    add_labels(view);
+    add_cards(view);
+    measure_.draw(builder_, view, comparison_.view().measure);
+    if (comparison_.view().offer) draw_offer(builder_, view, *comparison_.view().offer);
+    if (difference_) legend_.draw(builder_, view, difference_->statistics, map_.value());
+    if (words_) add_words(view, status);
   }
   scene_.passthrough_segments = picture_depth_.update(record, now);
-  scene_.instances = {instances_.data(), instance_count_};
-  scene_.lines = {lines_.data(), line_count_};
-  scene_.labels = {labels_.data(), label_count_};
-  scene_.hud = {texts_.data(), text_count_};
+  builder_.give(scene_);
   return scene_;
+}
+
+// What was found out in this frame moves the model in the next.
+void TwoHands::look_at_difference(Duration step) {
+  const ComparisonView& compared = comparison_.view();
+  if (compared.laid <= 0 || !differences_) {
+    map_.reset();
+    difference_ = nullptr;
+    comparison_.set_fit(std::nullopt);
+    return;
+  }
+  const int base = compared[compared.base].marker_id, laid = compared[other(compared.base)].marker_id;
+  // A mode that is left keeps what it has shown while it fades.
+  if (compared.mode.laid_over()) {
+    const Alignment alignment = compared.mode.tool == Tool::fitted ? Alignment::best_fit : Alignment::own_frames;
+    differences_->request(base, laid, alignment);
+    if (options_.wait_for_differences) differences_->wait();
+    if (const DifferenceDesk::Result* result = differences_->result(); result && alignment == Alignment::best_fit)
+      comparison_.set_fit(to_similarity(result->base_from_laid));
+  }
+  difference_ = differences_->result();
+  map_.update(compared.mode.laid_over() && difference_, step);
 }
 
 void TwoHands::add_sticks(const FrameRecord& record) {
   for (const MarkerObservation& m : record.seen()) {
     const ShelfEntry* entry = shelf_.find(m.id);
     if (!entry || m.state == MarkerState::lost) continue;
-    instances_[instance_count_++] = {
-        .model = entry->rod,
-        .world_graphics_from_model = to_array(to_graphics(record.T_world_camera * m.T_camera_marker)),
-        .occluder = true};
+    builder_.instances.push_back({.model = entry->rod,
+                                  .world_graphics_from_model =
+                                      to_array(to_graphics(Similarity(record.T_world_camera * m.T_camera_marker))),
+                                  .occluder = true});
   }
 }
 
-void TwoHands::add_model(const HandView& hand) {
+// Of two models at one place only one is drawn: the laid one, or the map of how it differs.
+void TwoHands::add_models() {
+  const ComparisonView& compared = comparison_.view();
+  for (const Hand h : both_hands) {
+    const HandView& hand = compared[h];
+    if (hand.opacity <= 0) continue;
+    const bool base = h == compared.base;
+    const double covered = !compared.mode.laid_over() && compared.laid <= 0 ? 0 : base ? compared.laid : map_.value();
+    add_model(hand, hand.opacity * hand.shown * (1 - covered));
+    add_axes(hand);
+  }
+  if (difference_) add_difference(compared);
+}
+
+void TwoHands::add_model(const HandView& hand, double opacity) {
   const ShelfEntry* entry = shelf_.find(hand.marker_id);
-  if (!entry || !entry->model) return;
-  instances_[instance_count_++] = {.model = *entry->model,
-                                   .world_graphics_from_model = to_array(to_graphics(hand.T_world_model) *
-                                                                         entry->placement.marker_graphics_from_model),
-                                   .tint = {1, 1, 1, static_cast<float>(hand.opacity)}};
+  if (!entry || !entry->model || opacity <= 0) return;
+  ModelInstance instance{.model = *entry->model,
+                         .world_graphics_from_model = to_array(to_graphics(hand.world_from_marker) *
+                                                               entry->placement.marker_graphics_from_model),
+                         .tint = {1, 1, 1, static_cast<float>(opacity)}};
+  if (hand.cut) {
+    instance.clip_plane = to_graphics(*hand.cut);
+    instance.fill_cut = entry->closed;
+  }
+  builder_.instances.push_back(instance);
+}
+
+void TwoHands::add_difference(const ComparisonView& compared) {
+  const auto add = [&](ModelHandle model, const HandView& hand) {
+    const ShelfEntry* entry = shelf_.find(hand.marker_id);
+    const double opacity = hand.opacity * map_.value();
+    if (!entry || opacity <= 0) return;
+    builder_.instances.push_back(
+        {.model = model,
+         .world_graphics_from_model =
+             to_array(to_graphics(hand.world_from_marker) * entry->placement.marker_graphics_from_model),
+         .tint = {1, 1, 1, static_cast<float>(opacity)}});
+  };
+  add(difference_->map, compared[other(compared.base)]);
+  if (difference_->veil) add(*difference_->veil, compared[compared.base]);
 }
 
 // A stick without a model still shows which way it stands.
 void TwoHands::add_axes(const HandView& hand) {
   const ShelfEntry* entry = shelf_.find(hand.marker_id);
   if (entry && entry->model) return;
-  const Pose& T = hand.T_world_model;
+  const Similarity& T = hand.world_from_marker;
   add_line(T.translation, T * Vec3{axis_length, 0, 0}, 3, faded({0.9F, 0.05F, 0.05F, 1}, hand.opacity));
   add_line(T.translation, T * Vec3{0, axis_length, 0}, 3, faded({0.05F, 0.7F, 0.05F, 1}, hand.opacity));
   add_line(T.translation, T * Vec3{0, 0, axis_length}, 3, faded({0.1F, 0.25F, 1, 1}, hand.opacity));
 }
 
 void TwoHands::add_labels(const View& view) {
+  const ComparisonView& compared = comparison_.view();
   std::array<LabelWish, 2> wishes;
   std::array<const HandView*, 2> hands{};
+  std::array<double, 2> opacity{};
   std::size_t count = 0;
-  for (const HandView& hand : comparison_.view().hands) {
+  for (const Hand h : both_hands) {
+    const HandView& hand = compared[h];
     if (hand.opacity <= 0) continue;
     const ShelfEntry* entry = shelf_.find(hand.marker_id);
     const bool has_model = entry && entry->model;
+    const Similarity& T = hand.world_from_marker;
     hands[count] = &hand;
-    wishes[count++] = {hand.label.view(),
-                       has_model ? hand.T_world_model * entry->placement.pivot : hand.T_world_model.translation,
-                       has_model ? entry->placement.reach : axis_length};
+    opacity[count] = hand.opacity * hand.shown * (1 - hand.card);
+    wishes[count++] = {hand.label.view(), has_model ? T * entry->placement.pivot : T.translation,
+                       has_model ? T.scale * entry->placement.reach : axis_length};
   }
   std::array<std::optional<LabelPlace>, 2> places;
   place_labels(view, {wishes.data(), count}, places);
   for (std::size_t i = 0; i < count; ++i) {
-    if (!places[i]) continue;
-    const HandView& hand = *hands[i];
-    labels_[label_count_++] = {.text = wishes[i].text,
+    if (!places[i] || opacity[i] <= 0) continue;
+    builder_.labels.push_back({.text = wishes[i].text,
                                .position_world = places[i]->position_world,
                                .height_px = places[i]->height_px,
                                .pivot_y = 1,
-                               .color = faded(Color{}, hand.opacity),
-                               .plate = faded(hand.leads ? leading_plate : Label{}.plate, hand.opacity),
-                               .on_top = true};
-    add_line(places[i]->position_world, places[i]->leader_world, 1.5, faded(leader_color, hand.opacity));
+                               .color = faded(Color{}, opacity[i]),
+                               .plate = faded(hands[i]->leads ? leading_plate : Label{}.plate, opacity[i]),
+                               .on_top = true});
+    add_line(places[i]->position_world, places[i]->leader_world, 1.5, faded(leader_color, opacity[i]));
+  }
+}
+
+// Beside its model, on the hand's own side, where there is room for it.
+void TwoHands::add_cards(const View& view) {
+  const ComparisonView& compared = comparison_.view();
+  for (const Hand h : both_hands) {
+    const HandView& hand = compared[h];
+    const ShelfEntry* entry = shelf_.find(hand.marker_id);
+    const double opacity = hand.card * hand.opacity;
+    if (!entry || opacity <= 0) continue;
+    const CardPlace place = place_card(
+        view, entry->card, hand.world_from_marker * entry->placement.pivot, entry->placement.reach, h == Hand::right);
+    builder_.labels.push_back({.text = entry->card,
+                               .position_world = place.position_world,
+                               .height_px = place.height_px,
+                               .pivot_x = 0,
+                               .pivot_y = 0,
+                               .color = faded(Color{}, opacity),
+                               .plate = faded(Label{}.plate, opacity),
+                               .on_top = true});
   }
 }
 
 void TwoHands::add_words(const View& view, std::string_view status) {
   const ComparisonView& compared = comparison_.view();
-  const double em = std::max(13.0, view.viewport.height / 42.0), edge = 0.8 * em, line = 1.8 * em;
+  const double em = text_em(view), edge = 0.8 * em, line = 1.8 * em;
   double y = edge;
-  for (const Text& words : compared.hud()) {
-    add_text(words.view(), edge, y, 0, 0, em);
+  const auto add = [&](std::string_view words) {
+    if (words.empty()) return;
+    add_text(words, edge, y, 0, 0, em);
     y += line;
+  };
+  for (const Text& words : compared.hud()) add(words.view());
+  if (compared.mode.laid_over() && differences_) {
+    for (Text& words : statistics_) words.clear();
+    if (difference_) print_statistics(difference_->statistics, statistics_);
+    if (differences_->state() == DifferenceDesk::State::working)
+      statistics_[0].print("Comparing the surfaces: %d %%", differences_->percent());
+    if (differences_->state() == DifferenceDesk::State::failed)
+      statistics_[0] = Text(differences_->reason());
+    for (const Text& words : statistics_) add(words.view());
   }
-  if (compared.link_progress > 0) {
-    constexpr int squares = 12;
-    const int filled = std::clamp(static_cast<int>(std::lround(compared.link_progress * squares)), 0, squares);
-    char bar[3 * squares + 1] = {};
-    for (int i = 0; i < squares; ++i) std::copy_n(i < filled ? "■" : "□", 3, bar + 3 * i);
-    link_words_.print("%s %s", compared.linked ? "Parting" : "Linking", bar);
-    add_text(link_words_.view(), view.viewport.width / 2.0, view.viewport.height - 3 * line, 0.5, 1, 1.2 * em);
-  }
-  if (!status.empty()) add_text(status, edge, view.viewport.height - edge, 0, 1, 0.8 * em);
+  if (!status.empty()) add_text(status, edge, view.viewport.height - edge, 0, 1, em);
 }
 
 void TwoHands::add_line(Vec3 from, Vec3 to, double width_px, Color color) {
-  lines_[line_count_++] = {from, to, width_px, color};
+  builder_.lines.push_back({from, to, width_px, color});
 }
 
 void TwoHands::add_text(std::string_view text, double x, double y, double pivot_x, double pivot_y, double height_px) {
-  texts_[text_count_++] = {
-      .text = text, .x = x, .y = y, .height_px = height_px, .pivot_x = pivot_x, .pivot_y = pivot_y};
+  builder_.texts.push_back(
+      {.text = text, .x = x, .y = y, .height_px = height_px, .pivot_x = pivot_x, .pivot_y = pivot_y});
 }
 
 }  // namespace onestroke

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "app/comparison_drawing.h"
+#include "app/difference_desk.h"
+#include "app/difference_legend.h"
 #include "app/model_shelf.h"
 #include "app/picture_depth.h"
-#include "render/frame_scene.h"
-#include "render/view.h"
+#include "app/scene_builder.h"
 #include "scene/comparison.h"
 
 #include <array>
@@ -12,16 +14,25 @@
 
 namespace onestroke {
 
+struct TwoHandsOptions {
+  bool left_handed = false;
+  /// Waits until the difference of two models that are laid over each other is known, rather than show how far it is:
+  /// for films, so that one recording always gives the same.
+  bool wait_for_differences = false;
+};
+
 /// What the wearer sees over the picture: the model of the stick in each hand, its name, the comparison of the two, and
 /// every stick's own body as something that hides what is behind it. One thread; no allocation after the constructor.
 class TwoHands {
  public:
-  /// The shelf outlives this.
-  explicit TwoHands(const ModelShelf& shelf);
+  /// The shelf outlives this, and so does the desk; without one no map of differences is shown.
+  explicit TwoHands(const ModelShelf& shelf, DifferenceDesk* differences = nullptr,
+                    const TwoHandsOptions& options = {});
 
   /// After the shelf was made again in its place.
   void shelf_is_new() { comparison_.carry(shelf_.carried()); }
-  void toggle_link() { comparison_.toggle(); }
+  /// False where the key means nothing to the comparison.
+  bool press(char key) { return comparison_.press(key); }
   void toggle_words() { words_ = !words_; }
   bool words() const { return words_; }
 
@@ -29,28 +40,35 @@ class TwoHands {
   /// `status` is a line for the foot of the screen and may be empty. What is returned lives until the next call.
   const FrameScene& update(const FrameRecord& record, Time now, std::span<const View> views, std::string_view status);
   const ComparisonView& comparison() const { return comparison_.view(); }
+  /// Of the models that are laid over each other; null where there are none, or it is not known yet.
+  const DifferenceDesk::Result* difference() const { return difference_; }
 
  private:
-  static constexpr std::size_t most_instances = 2 + max_markers_per_frame, most_lines = 2 * 4, most_texts = 6;
-
+  void look_at_difference(Duration step);
   void add_sticks(const FrameRecord& record);
-  void add_model(const HandView& hand);
+  void add_models();
+  void add_model(const HandView& hand, double opacity);
+  void add_difference(const ComparisonView& compared);
   void add_axes(const HandView& hand);
   void add_labels(const View& view);
+  void add_cards(const View& view);
   void add_words(const View& view, std::string_view status);
   void add_line(Vec3 from, Vec3 to, double width_px, Color color);
   void add_text(std::string_view text, double x, double y, double pivot_x, double pivot_y, double height_px);
 
   const ModelShelf& shelf_;
+  DifferenceDesk* differences_;
+  const TwoHandsOptions options_;
   Comparison comparison_;
   PictureDepth picture_depth_;
-  bool words_ = true;
-  Text link_words_;
-  std::array<ModelInstance, most_instances> instances_;
-  std::array<Line, most_lines> lines_;
-  std::array<Label, 2> labels_;
-  std::array<HudText, most_texts> texts_;
-  std::size_t instance_count_ = 0, line_count_ = 0, label_count_ = 0, text_count_ = 0;
+  MeasureDrawing measure_;
+  DifferenceLegend legend_;
+  const DifferenceDesk::Result* difference_ = nullptr;
+  Eased map_;  // the map in place of the model that is laid
+  bool words_ = true, started_ = false;
+  Time last_;
+  std::array<Text, 3> statistics_;
+  SceneBuilder builder_;
   FrameScene scene_;
 };
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/scene_builder.h"
+#include "scene/comparison_view.h"
+
+#include <array>
+
+namespace onestroke {
+
+/// What the sticks are about to do: its words and a ring that fills. One thread; allocates nothing.
+void draw_offer(SceneBuilder& scene, const View& view, const OfferView& offer);
+
+/// The points that are measured, what lies between them, and the ring of the one that is being picked. Keeps the words
+/// of its labels. One thread; allocates nothing.
+class MeasureDrawing {
+ public:
+  void draw(SceneBuilder& scene, const View& view, const MeasureView& measure);
+
+ private:
+  void label(SceneBuilder& scene, const View& view, const Text& words, Vec3 at, double opacity);
+
+  std::array<Text, 3> words_;
+};
+
+}  // namespace onestroke

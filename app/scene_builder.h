@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/inline_vector.h"
+#include "render/frame_scene.h"
+#include "render/view.h"
+
+namespace onestroke {
+
+/// Collects what one frame shows. Holds a bounded number of each; allocates nothing. Texts live elsewhere, until the
+/// frame is drawn.
+class SceneBuilder {
+ public:
+  InlineVector<ModelInstance, 8 + max_markers_per_frame> instances;
+  InlineVector<Line, 32> lines;
+  InlineVector<Label, 12> labels;
+  InlineVector<Gauge, 8> gauges;
+  InlineVector<HudBox, 64> boxes;
+  InlineVector<HudText, 24> texts;
+
+  void clear();
+  /// Into a scene that borrows from this.
+  void give(FrameScene& scene) const;
+};
+
+Color faded(Color color, double opacity);
+
+/// Font size of a view's texts, px: to be read at arm's length on a desk, and one degree of visual angle, whatever it is
+/// seen through.
+double text_em(const View& view);
+/// The length that a pixel of the view's middle has at that depth, mm.
+double pixel_at(const View& view, double depth);
+
+}  // namespace onestroke
