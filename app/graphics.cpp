@@ -17,13 +17,15 @@ void Graphics::build() {
   display_.attach(*gpu_);
   renderer_.emplace(*gpu_, RendererOptions{.room = room_});
   room_ = renderer_->room();
-  shelf_.emplace(wanted_.catalog, wanted_.folder, *renderer_);
+  shelf_.emplace(wanted_.catalog, wanted_.catalog_file.parent_path(), *renderer_);
+  differences_.emplace(wanted_.catalog, wanted_.catalog_file, *renderer_);
   if (!wanted_.models_first) return;
   Progress progress;
   shelf_->wait([&](const std::string& line) { progress.say(line); });
 }
 
 void Graphics::rebuild() {
+  differences_.reset();
   shelf_.reset();
   renderer_.reset();
   gpu_.reset();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/difference_desk.h"
 #include "app/model_shelf.h"
 #include "render/display.h"
 #include "render/renderer.h"
@@ -9,23 +10,24 @@
 
 namespace onestroke {
 
-/// A show's GPU and all that is on it: the display's images, the renderer, the models. What is lost with the GPU can be
-/// made again. One thread, the display's.
+/// A show's GPU and all that is on it: the display's images, the renderer, the models and their differences. What is
+/// lost with the GPU can be made again. One thread, the display's.
 class Graphics {
  public:
   struct Wanted {
-    const Catalog& catalog;        ///< Outlives this.
-    std::filesystem::path folder;  ///< Where the catalogue's model paths start.
-    bool models_first = false;     ///< Whether to wait for all models; otherwise they come while frames are drawn.
-    GpuOptions gpu;                ///< What the display needs is added.
+    const Catalog& catalog;              ///< Outlives this.
+    std::filesystem::path catalog_file;  ///< In its folder the catalogue's model paths start.
+    bool models_first = false;  ///< Whether to wait for all models; otherwise they come while frames are drawn.
+    GpuOptions gpu;             ///< What the display needs is added.
   };
 
   /// The display outlives this. Throws Error.
   Graphics(Display& display, Wanted wanted);
 
-  /// Both stay where they are when they are made again.
+  /// All stay where they are when they are made again.
   Renderer& renderer() { return *renderer_; }
   ModelShelf& shelf() { return *shelf_; }
+  DifferenceDesk& differences() { return *differences_; }
 
   /// Lets all of it go and makes it anew, after the GPU was lost; pictures must be set again. Throws Error.
   void rebuild();
@@ -39,6 +41,7 @@ class Graphics {
   std::optional<Gpu> gpu_;
   std::optional<Renderer> renderer_;
   std::optional<ModelShelf> shelf_;
+  std::optional<DifferenceDesk> differences_;
 };
 
 }  // namespace onestroke

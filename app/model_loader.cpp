@@ -16,6 +16,11 @@ constexpr double read = 0.4, levelled = 0.9;
 
 }  // namespace
 
+std::string without_folder(std::string reason, const std::filesystem::path& file) {
+  if (reason.starts_with(file.string())) reason.replace(0, file.string().size(), file.filename().string());
+  return reason;
+}
+
 ModelLoader::ModelLoader(std::vector<Wish> wishes, const Renderer& renderer) : renderer_(renderer) {
   for (Wish& wish : wishes) {
     jobs_.push_back(std::make_unique<Job>());

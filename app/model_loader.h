@@ -13,6 +13,9 @@
 
 namespace onestroke {
 
+/// What load_model says of a file, short enough for a label: without the file's folder.
+std::string without_folder(std::string reason, const std::filesystem::path& file);
+
 /// Loads models on a thread of its own, one after the other, while frames are drawn. What the members tell costs no
 /// lock and no memory.
 class ModelLoader {

@@ -22,12 +22,6 @@ bool same_words(std::string a, std::string b) {
   return a == b;
 }
 
-/// A message for a label: without the folder.
-std::string shortened(std::string reason, const std::filesystem::path& file) {
-  if (reason.starts_with(file.string())) reason.replace(0, file.string().size(), file.filename().string());
-  return reason;
-}
-
 }  // namespace
 
 ModelShelf::ModelShelf(const Catalog& catalog, const std::filesystem::path& folder, Renderer& renderer)
@@ -91,7 +85,7 @@ void ModelShelf::take_in(std::size_t wish) {
 void ModelShelf::give_up(std::size_t wish) {
   const std::string& reason = loader_->reason(wish);
   for (const std::size_t entry : wished_[wish].entries) {
-    carried_[entry].words = Text(shortened(reason, files_[wish]));
+    carried_[entry].words = Text(without_folder(reason, files_[wish]));
     if (failure_.empty())
       failure_ = "marker " + std::to_string(entries_[entry].marker_id) + " (" + names_[entry] + "): " + reason;
   }

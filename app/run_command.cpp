@@ -107,7 +107,7 @@ int run_command(const RunOptions& options, std::ostream& out) {
   Graphics graphics(
       *display,
       {.catalog = catalog,
-       .folder = file.parent_path(),
+       .catalog_file = file,
        // A window shows how far the models are; files would show it for ever.
        .models_first = offscreen,
        .gpu = {.validation = set("ONESTROKE_VALIDATION"), .gpu = options.gpu, .cache_folder = cache_folder()}});

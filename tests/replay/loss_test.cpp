@@ -39,7 +39,7 @@ class Loss : public testing::Test {
     OffscreenDisplay display({.directory = folder / name, .width = 320, .height = 240, .rate = rate});
     Graphics graphics(
         display, {.catalog = catalog,
-                  .folder = models,
+                  .catalog_file = models / "catalog.json",
                   .models_first = true,
                   .gpu = {.validation = true, .validation_messages = &validation_messages, .rehearsal = &rehearsal}});
     Tracker tracker(catalog);

@@ -1,6 +1,7 @@
 #include "scene/surface_difference.h"
 
 #include "scene/surface_sides.h"
+#include "solid_surfaces.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,45 +16,6 @@
 namespace onestroke {
 namespace {
 
-void add_vertex(Surface& s, const glm::dvec3& p) {
-  s.vertices.push_back({.position = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-                        .normal = {},
-                        .tangent = {},
-                        .uv = {},
-                        .color = {}});
-}
-
-/// A grid of n by n squares on a face of a box; it faces where u and v turn about, right-handed.
-void add_face(Surface& s, const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v, int n) {
-  const auto base = static_cast<std::uint32_t>(s.vertices.size());
-  const auto row = static_cast<std::uint32_t>(n + 1);
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j) add_vertex(s, middle + (2.0 * i / n - 1) * u + (2.0 * j / n - 1) * v);
-  for (std::uint32_t i = 0; i + 1 < row; ++i)
-    for (std::uint32_t j = 0; j + 1 < row; ++j) {
-      const std::uint32_t a = base + i * row + j;
-      s.indices.insert(s.indices.end(), {a, a + row, a + 1, a + 1, a + row, a + row + 1});
-    }
-}
-
-/// Every face has vertices of its own, as files with hard edges have.
-Surface box(const glm::dvec3& half, int n) {
-  Surface s;
-  const glm::dvec3 x(half.x, 0, 0), y(0, half.y, 0), z(0, 0, half.z);
-  add_face(s, x, y, z, n);
-  add_face(s, -x, z, y, n);
-  add_face(s, y, z, x, n);
-  add_face(s, -y, x, z, n);
-  add_face(s, z, x, y, n);
-  add_face(s, -z, y, x, n);
-  return s;
-}
-
-double distance_to_box(const glm::dvec3& p, const glm::dvec3& half) {
-  const glm::dvec3 q = glm::abs(p) - half;
-  return glm::length(glm::max(q, glm::dvec3(0))) + std::min(std::max({q.x, q.y, q.z}), 0.0);
-}
-
 /// Triangles that nobody would call a surface, for their corners alone.
 Surface scattered(std::mt19937& random, double reach, int count) {
   std::uniform_real_distribution<double> anywhere(-reach, reach);
@@ -63,11 +25,6 @@ Surface scattered(std::mt19937& random, double reach, int count) {
     s.indices.push_back(static_cast<std::uint32_t>(i));
   }
   return s;
-}
-
-glm::dvec3 position(const Surface& s, std::size_t i) {
-  const auto& p = s.vertices[i].position;
-  return {p[0], p[1], p[2]};
 }
 
 TEST(SurfaceDifference, IsTheDistanceFromABox) {
@@ -122,14 +79,6 @@ TEST(SurfaceDifference, KnowsTheSideAtEdgesAndCorners) {
 }
 
 TEST(SurfaceDifference, OfABallFromALargerOneIsWhatTheRadiiSay) {
-  const auto ball = [](double radius, int n) {
-    Surface s = box({1, 1, 1}, n);
-    for (ModelVertex& v : s.vertices) {
-      const glm::dvec3 p = glm::normalize(glm::dvec3(v.position[0], v.position[1], v.position[2])) * radius;
-      v.position = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-    }
-    return s;
-  };
   const SurfaceDifference d = measure_difference(ball(1.02, 60), ball(1, 200), glm::dmat4(1));
   // Facets lie inside the ball that their corners lie on, by an eighth of the square of their length.
   EXPECT_NEAR(d.mean, 0.02, 5e-5);
