@@ -66,6 +66,10 @@ void DifferenceDesk::request(int base_id, int laid_id, Alignment alignment) {
   begin(wish);
 }
 
+void DifferenceDesk::wait() {
+  for (take_in(); state_ == State::working; take_in()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 void DifferenceDesk::begin(const Wish& wish) {
   const auto place_of = [this](int id) {
     return static_cast<std::size_t>(std::ranges::find(carried_, id, &Carried::marker_id) - carried_.begin());

@@ -43,6 +43,9 @@ class DifferenceDesk {
   /// work on that one where it is not done; one that failed is tried anew.
   void request(int base_id, int laid_id, Alignment alignment);
 
+  /// Waits until what is wanted is ready or has failed: for films.
+  void wait();
+
   State state() const { return state_; }
   /// 0 to 100, while it is working.
   int percent() const;

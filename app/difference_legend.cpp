@@ -57,7 +57,8 @@ void print_statistics(const DifferenceStatistics& s, std::span<Text, 3> lines) {
     lines[1].print("Area %+.3g cm² (%+.1f %%); no volume, a surface is open", s.area_change() / 100,
                    percent_of(s.area_change(), s.base.area));
   lines[2].clear();
-  if (s.fit_rms > 0) lines[2].print("Best fit: moved %.2f mm, turned %.2f°, RMS %.3g mm", s.moved, s.turned_deg, s.fit_rms);
+  if (s.fit_rms > 0)
+    lines[2].print("Best fit: moved %.2f mm, turned %.2f°, RMS %.3g mm", s.moved, s.turned_deg, s.fit_rms);
 }
 
 }  // namespace onestroke

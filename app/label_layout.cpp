@@ -63,10 +63,10 @@ CardPlace place_card(const View& view, std::string_view text, Vec3 centre_world,
   const double u = (centre.x / centre.z - view.fov.left) * focal, v = (centre.y / centre.z + view.fov.up) * focal;
   const double clear = reach / centre.z * focal + gap_ems * em;
   // On the other side where this one has no room.
-  const bool room_right = u + clear + width + edge < view.viewport.width, room_left = u - clear - width - edge > 0;
+  const bool room_right = u + clear + width + edge<view.viewport.width, room_left = u - clear - width - edge> 0;
   const bool right = to_right ? room_right || !room_left : room_right && !room_left;
-  const double left = std::clamp(right ? u + clear : u - clear - width, edge,
-                                 std::max(edge, view.viewport.width - width - edge));
+  const double left =
+      std::clamp(right ? u + clear : u - clear - width, edge, std::max(edge, view.viewport.width - width - edge));
   const double top = std::clamp(v - height / 2, edge, std::max(edge, view.viewport.height - height - edge));
   const Vec3 in_view{(left / focal + view.fov.left) * centre.z, (top / focal - view.fov.up) * centre.z, centre.z};
   return {view.T_world_view * in_view, em};

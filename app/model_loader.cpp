@@ -2,8 +2,12 @@
 
 #include "scene/mesh_levels.h"
 #include "scene/model.h"
+#include "scene/surface_difference.h"
 
 #include <pthread.h>
+
+#include <array>
+#include <cstdio>
 
 namespace onestroke {
 namespace {
@@ -13,6 +17,16 @@ struct Stopped {};
 
 // What has been loaded when the file is read, and when its levels are made; the rest is filling memory.
 constexpr double read = 0.4, levelled = 0.9;
+
+std::string size_words(const Model& model) {
+  constexpr double millimetres = 1000;
+  std::array<double, 3> side{};
+  for (std::size_t i = 0; i < side.size(); ++i) side[i] = millimetres * (model.upper[i] - model.lower[i]);
+  std::array<char, 128> words{};
+  std::snprintf(words.data(), words.size(), "%.4g × %.4g × %.4g mm, %zu triangles", side[0], side[1], side[2],
+                model.indices.size() / 3);
+  return words.data();
+}
 
 }  // namespace
 
@@ -54,10 +68,13 @@ ModelLoader::Loaded ModelLoader::load(Job& job, const Renderer& renderer, const 
   };
   say(0);
   Model model = load_model(job.wish.file, job.wish.import, [&](double share) { say(share * read); });
+  Loaded loaded{.prepared = {}, .placement = place_on_marker(model, job.wish.import.fit), .name = model.name};
+  loaded.size = size_words(model);
+  loaded.closed = measure({model.vertices, model.indices}).closed;
   add_levels(model, [&](double share) { say(read + share * (levelled - read)); });
-  const Placement placement = place_on_marker(model, job.wish.import.fit);
   say(levelled);
-  return {renderer.prepare(model), placement, model.name};
+  loaded.prepared = renderer.prepare(model);
+  return loaded;
 }
 
 }  // namespace onestroke

@@ -29,6 +29,8 @@ class ModelLoader {
     std::shared_ptr<PreparedModel> prepared;  ///< For Renderer::adopt.
     Placement placement;
     std::string name;
+    std::string size;     ///< "60 × 40 × 25 mm, 1234 triangles".
+    bool closed = false;  ///< See SurfaceMeasures.
   };
   enum class State { waiting, loaded, failed };
 

@@ -1,5 +1,6 @@
 #include "app/model_shelf.h"
 
+#include "app/model_card.h"
 #include "app/rod_mesh.h"
 #include "core/error.h"
 
@@ -13,6 +14,13 @@ std::vector<Vec3> ring_middles(const Shape& shape) {
   std::vector<Vec3> middles;
   for (int i = 0; i < shape.cells(); ++i) middles.push_back(shape.at((i + 0.5) * shape.pitch()).position);
   return middles;
+}
+
+/// A stroke's corner is its middle one, a straight one's its middle.
+StickPoints touch_points(const Shape& shape) {
+  const std::vector<Vec3> corners = shape.vertices();
+  const Vec3 middle = corners.size() > 2 ? corners[corners.size() / 2] : 0.5 * (corners.front() + corners.back());
+  return {corners.front(), middle, corners.back()};
 }
 
 /// "bracket_v1" is "bracket v1" to a person.
@@ -30,11 +38,12 @@ ModelShelf::ModelShelf(const Catalog& catalog, const std::filesystem::path& fold
   for (const MarkerSpec& marker : catalog.markers) {
     entries_.push_back({.marker_id = marker.id,
                         .model = {},
+                        .card = model_card(marker),
                         .corners = marker.shape.vertices(),
                         .cells = ring_middles(marker.shape),
                         .radius = marker.shape.radius(),
                         .rod = renderer.load(rod_mesh(marker.shape))});
-    carried_.push_back({.marker_id = marker.id});
+    carried_.push_back({.marker_id = marker.id, .points = touch_points(marker.shape)});
     names_.push_back(marker.name);
     if (marker.model.empty()) continue;
     const ModelLoader::Wish wish{folder / marker.model, marker.import};
@@ -77,7 +86,11 @@ void ModelShelf::take_in(std::size_t wish) {
   for (const std::size_t entry : wished_[wish].entries) {
     entries_[entry].model = handle;
     entries_[entry].placement = loaded.placement;
+    entries_[entry].closed = loaded.closed;
+    entries_[entry].card += "\n" + loaded.size;
     carried_[entry].pivot = loaded.placement.pivot;
+    carried_[entry].reach = loaded.placement.reach;
+    carried_[entry].marker_from_model = loaded.placement.marker_from_model;
     carried_[entry].words = Text(same_words(loaded.name, names_[entry]) ? "" : loaded.name);
   }
 }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace onestroke {
@@ -19,6 +20,8 @@ struct ShelfEntry {
   int marker_id = 0;
   std::optional<ModelHandle> model;  ///< None where the marker carries none, or none yet.
   Placement placement{};
+  bool closed = false;        ///< The model has an inside everywhere.
+  std::string card;           ///< What is known of the model, some lines.
   std::vector<Vec3> corners;  ///< Of the rod's straight axes, tip to tip; marker frame, mm.
   std::vector<Vec3> cells;    ///< Middles of the rings, in order; marker frame, mm.
   double radius = 0;          ///< Of the rod, mm.

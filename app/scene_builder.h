@@ -24,8 +24,8 @@ class SceneBuilder {
 
 Color faded(Color color, double opacity);
 
-/// Font size of a view's texts, px: to be read at arm's length on a desk, and one degree of visual angle, whatever it is
-/// seen through.
+/// Font size of a view's texts, px: to be read at arm's length on a desk, and one degree of visual angle, whatever it
+/// is seen through.
 double text_em(const View& view);
 /// The length that a pixel of the view's middle has at that depth, mm.
 double pixel_at(const View& view, double depth);

@@ -68,7 +68,8 @@ void Show::recover(Time now) {
 }
 
 bool Show::press(Key key) {
-  if (key == Key{'l'}) hands_.toggle_link();
+  const int letter = static_cast<int>(key);
+  if (letter >= 'a' && letter <= 'z') hands_.press(static_cast<char>(letter));
   if (key == Key{'h'}) hands_.toggle_words();
   if (key == Key::space) {
     paused_ = !paused_;

@@ -98,10 +98,10 @@ void TwoHands::add_sticks(const FrameRecord& record) {
   for (const MarkerObservation& m : record.seen()) {
     const ShelfEntry* entry = shelf_.find(m.id);
     if (!entry || m.state == MarkerState::lost) continue;
-    builder_.instances.push_back({.model = entry->rod,
-                                  .world_graphics_from_model =
-                                      to_array(to_graphics(Similarity(record.T_world_camera * m.T_camera_marker))),
-                                  .occluder = true});
+    builder_.instances.push_back(
+        {.model = entry->rod,
+         .world_graphics_from_model = to_array(to_graphics(Similarity(record.T_world_camera * m.T_camera_marker))),
+         .occluder = true});
   }
 }
 
@@ -138,11 +138,10 @@ void TwoHands::add_difference(const ComparisonView& compared) {
     const ShelfEntry* entry = shelf_.find(hand.marker_id);
     const double opacity = hand.opacity * map_.value();
     if (!entry || opacity <= 0) return;
-    builder_.instances.push_back(
-        {.model = model,
-         .world_graphics_from_model =
-             to_array(to_graphics(hand.world_from_marker) * entry->placement.marker_graphics_from_model),
-         .tint = {1, 1, 1, static_cast<float>(opacity)}});
+    builder_.instances.push_back({.model = model,
+                                  .world_graphics_from_model = to_array(to_graphics(hand.world_from_marker) *
+                                                                        entry->placement.marker_graphics_from_model),
+                                  .tint = {1, 1, 1, static_cast<float>(opacity)}});
   };
   add(difference_->map, compared[other(compared.base)]);
   if (difference_->veil) add(*difference_->veil, compared[compared.base]);
@@ -198,8 +197,8 @@ void TwoHands::add_cards(const View& view) {
     const ShelfEntry* entry = shelf_.find(hand.marker_id);
     const double opacity = hand.card * hand.opacity;
     if (!entry || opacity <= 0) continue;
-    const CardPlace place = place_card(
-        view, entry->card, hand.world_from_marker * entry->placement.pivot, entry->placement.reach, h == Hand::right);
+    const CardPlace place = place_card(view, entry->card, hand.world_from_marker * entry->placement.pivot,
+                                       entry->placement.reach, h == Hand::right);
     builder_.labels.push_back({.text = entry->card,
                                .position_world = place.position_world,
                                .height_px = place.height_px,
@@ -226,8 +225,7 @@ void TwoHands::add_words(const View& view, std::string_view status) {
     if (difference_) print_statistics(difference_->statistics, statistics_);
     if (differences_->state() == DifferenceDesk::State::working)
       statistics_[0].print("Comparing the surfaces: %d %%", differences_->percent());
-    if (differences_->state() == DifferenceDesk::State::failed)
-      statistics_[0] = Text(differences_->reason());
+    if (differences_->state() == DifferenceDesk::State::failed) statistics_[0] = Text(differences_->reason());
     for (const Text& words : statistics_) add(words.view());
   }
   if (!status.empty()) add_text(status, edge, view.viewport.height - edge, 0, 1, em);

@@ -41,8 +41,12 @@ Placement place_on_marker(const Model& model, std::optional<double> fit) {
   const glm::vec3 base((lower.x + upper.x) / 2, lower.y, (lower.z + upper.z) / 2);
   glm::mat4 m = glm::translate(glm::mat4(1.0F), point_to_graphics(stand));
   m = glm::scale(m, glm::vec3(static_cast<float>(scale)));
-  Placement placement{.marker_graphics_from_model = glm::translate(m, -base),
-                      .pivot = stand - Vec3{0, millimetres(extent.y) / 2, 0}};
+  m = glm::translate(m, -base);
+  // Graphics and vision are half a turn about x apart.
+  Placement placement{
+      .marker_graphics_from_model = m,
+      .marker_from_model = {{0, 1, 0, 0}, point_from_graphics(glm::vec3(m[3])), scale / metres_per_millimetre},
+      .pivot = stand - Vec3{0, millimetres(extent.y) / 2, 0}};
   placement.reach = reach_of(model, placement);
   return placement;
 }

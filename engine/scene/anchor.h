@@ -2,6 +2,7 @@
 
 #include "core/pose.h"
 #include "scene/model.h"
+#include "scene/similarity.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -19,6 +20,7 @@ struct Placement {
   /// From the model's own frame to the marker's in graphics axes and metres. The model's up is the marker's -y and its
   /// front (+z in glTF) the marker's -z, so at marker rotation zero it is seen upright and from the front.
   glm::mat4 marker_graphics_from_model{1};
+  Similarity marker_from_model{};  ///< The same for points in vision axes, from the model's metres to mm.
   Vec3 pivot{};      ///< The middle of the model, marker frame, mm: a model that is turned on its own turns about it.
   double reach = 0;  ///< No part of the model is farther from the pivot, mm.
 };

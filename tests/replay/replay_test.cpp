@@ -87,28 +87,29 @@ TEST_F(Replay, ModelsStandOnTheirSticks) {
 TEST_F(Replay, LinkedModelsShowTheSameSide) {
   hands.toggle_words();
   for (int i = 0; i < 10; ++i) step();
-  hands.toggle_link();
+  hands.press('l');
   for (int i = 0; i < 10; ++i) step();
   const ComparisonView& compared = hands.comparison();
-  ASSERT_TRUE(compared.linked);
-  EXPECT_LT(angle_between(compared[Hand::left].T_world_model.rotation, compared[Hand::right].T_world_model.rotation),
-            1e-6);
+  ASSERT_EQ(compared.mode.link, Link::same);
+  EXPECT_LT(
+      angle_between(compared[Hand::left].world_from_marker.rotation, compared[Hand::right].world_from_marker.rotation),
+      1e-6);
   expect_golden("replay_linked", drawn(step()), tolerance);
 }
 
 TEST_F(Replay, AModelMovesWithItsStickAndNeverJumps) {
-  std::array<Pose, 2> before;
+  std::array<Similarity, 2> before;
   for (int i = 0; i < count; ++i) {
     step();
     for (const Hand h : both_hands) {
       const HandView& hand = hands.comparison()[h];
       ASSERT_TRUE(hand.held);
-      Pose& last = before[static_cast<std::size_t>(h)];
+      Similarity& last = before[static_cast<std::size_t>(h)];
       if (i > 0) {
-        EXPECT_LT(norm(hand.T_world_model.translation - last.translation), 30) << i;
-        EXPECT_LT(angle_between(hand.T_world_model.rotation, last.rotation) / degree, 12) << i;
+        EXPECT_LT(norm(hand.world_from_marker.translation - last.translation), 30) << i;
+        EXPECT_LT(angle_between(hand.world_from_marker.rotation, last.rotation) / degree, 12) << i;
       }
-      last = hand.T_world_model;
+      last = hand.world_from_marker;
     }
   }
 }
