@@ -17,14 +17,7 @@ constexpr StickPoints stick_points{Vec3{0, -arm, 0}, Vec3{}, Vec3{arm, 0, 0}};
 /// A comparison that sees what noisy eyes see of two sticks.
 class Session {
  public:
-  explicit Session(std::uint32_t seed) : eyes_(seed) {
-    for (const int id : {1, 2})
-      carried_.push_back({.marker_id = id,
-                          .pivot = {38, -30, 0},
-                          .reach = 35,
-                          .marker_from_model = {{0, 1, 0, 0}, {}, 1000},
-                          .points = stick_points});
-  }
+  explicit Session(std::uint32_t seed) : eyes_(seed) {}
 
   const ComparisonView& show(const Pose& left, const Pose& right) {
     const double t = frame_ / rate;
@@ -42,7 +35,15 @@ class Session {
   void press(char key) { comparison_.press(key); }
 
  private:
-  std::vector<CarriedModel> carried_;
+  static CarriedModel carried(int id) {
+    return {.marker_id = id,
+            .pivot = {38, -30, 0},
+            .reach = 35,
+            .marker_from_model = {{0, 1, 0, 0}, {}, 1000},
+            .points = stick_points};
+  }
+
+  const std::array<CarriedModel, 2> carried_{carried(1), carried(2)};
   Comparison comparison_{carried_};
   NoisyEyes eyes_;
   int frame_ = 0;
