@@ -1,4 +1,6 @@
 // What every stage that draws a frame sees.
+#ifndef ONESTROKE_SHADERS_FRAME_GLSL
+#define ONESTROKE_SHADERS_FRAME_GLSL
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_multiview : require
 #include "shared.h"
@@ -8,3 +10,5 @@ layout(set = 0, binding = BINDING_VIEWS, std140) uniform Views { ViewData views[
 layout(set = 0, binding = BINDING_SCENE, std140) uniform Scene { SceneData scene; };
 
 #define view views[gl_ViewIndex]
+
+#endif

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "model.glsl"
+#include "light.glsl"
 
 layout(set = 1, binding = BINDING_MATERIAL, std140) uniform Material { MaterialData material; };
 layout(set = 1, binding = BINDING_BASE_COLOR) uniform sampler2D base_color_texture;
@@ -22,8 +23,6 @@ layout(location = 4) in vec4 vertex_color;
 
 layout(location = 0) out vec4 color;
 
-const float pi = 3.14159265;
-
 vec3 surface_normal() {
   vec3 n = normalize(normal);
   if (textured && material.flags.x > 0.5 && dot(tangent.xyz, tangent.xyz) > 1e-12) {
@@ -33,15 +32,6 @@ vec3 surface_normal() {
     n = normalize(mat3(t, cross(n, t) * tangent.w, n) * m);
   }
   return gl_FrontFacing ? n : -n;
-}
-
-// What a white matt surface gives back of the room's light.
-vec3 matt(vec3 n) {
-  vec3 sum = scene.matt[0].rgb + scene.matt[1].rgb * n.y + scene.matt[2].rgb * n.z + scene.matt[3].rgb * n.x +
-             scene.matt[4].rgb * (n.x * n.y) + scene.matt[5].rgb * (n.y * n.z) +
-             scene.matt[6].rgb * (3.0 * n.z * n.z - 1.0) + scene.matt[7].rgb * (n.x * n.z) +
-             scene.matt[8].rgb * (n.x * n.x - n.y * n.y);
-  return max(sum, 0.0);
 }
 
 // Karis's fit of the split-sum table: the share of surrounding light that a rough surface mirrors.
@@ -79,29 +69,6 @@ vec2 left_by_others(vec3 n) {
   return left;
 }
 
-// Keeps highlights from clipping: the identity up to 0.7, then towards 1.
-vec3 shoulder(vec3 c) {
-  vec3 over = max(c - 0.7, 0.0);
-  return min(c, 0.7) + 0.3 * (1.0 - exp(-over / 0.3));
-}
-
-// PCG, by Jarzynski and Olano 2020: three even numbers from three.
-uvec3 pcg(uvec3 v) {
-  v = v * 1664525u + 1013904223u;
-  v += v.yzx * v.zxy;
-  v ^= v >> 16u;
-  return v + v.yzx * v.zxy;
-}
-
-// The camera's noise, as large as its pixels; a sum of evenly spread numbers is nearly normal. Cameras code light to the
-// power of 1 / 2.2, so what is even in code is more light where there is more.
-vec3 with_grain(vec3 c) {
-  uvec3 a = pcg(uvec3(uvec2(gl_FragCoord.xy * scene.grain.x), uint(scene.grain.y)));
-  vec3 low = vec3(a & 0xffffu), high = vec3(a >> 16u);
-  vec3 noise = (low + high - 65535.0) / 26755.0;
-  return max(c + scene.tone.w * noise * 2.2 * pow(max(c, 0.002), vec3(0.5455)), 0.0);
-}
-
 void main() {
   vec4 base = material.base_color * vertex_color;
   if (textured) base *= texture(base_color_texture, uv);
@@ -121,8 +88,5 @@ void main() {
              (textured ? texture(emissive_texture, uv).rgb : vec3(1.0)) * material.emissive.rgb;
   // Only a blended material lets its own alpha through.
   float alpha = (material.flags.y > 0.5 ? base.a : 1.0) * draw.tint.a;
-  // The camera shows no black that is darker than its own.
-  vec3 shown = scene.tone.rgb + shoulder(lit) * (1.0 - scene.tone.rgb);
-  if (scene.tone.w > 0.0) shown = with_grain(shown);
-  color = vec4(shown * alpha, alpha);
+  color = vec4(as_seen(lit) * alpha, alpha);
 }

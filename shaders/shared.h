@@ -49,6 +49,7 @@ using glm::vec4;
 // QuadData.shape.x
 #define QUAD_PLATE 0
 #define QUAD_GLYPH 1
+#define QUAD_RING 2
 
 // Balls that stand for the models that take light from others.
 #define MOST_BALLS 32
@@ -106,14 +107,24 @@ struct MaterialData {
   vec4 flags;     // x: 1 has a normal texture; y: 1 blends by its own alpha
 };
 
-// A rectangle of text or of its backing plate.
+// The face that a plane cuts a model open with, being drawn: push constants.
+struct CutData {
+  vec4 plane;   // as DrawData.clip_plane
+  vec4 centre;  // xyz: of a square in the plane that holds the face; w: half its side, metres
+  vec4 across;  // xyz: along one of its sides, unit
+  vec4 hatch;   // dot(hatch.xyz, p) + hatch.w: how far across the lines a point is, metres
+  vec4 color;   // as DrawData.tint
+};
+
+// A rectangle of text or of its backing plate, or one that holds a ring.
 struct QuadData {
   vec4 origin;  // xyz: top left corner; w: 0 in the world, 1 on screen (pixels of the viewport, y down)
   vec4 edge_x;  // xyz: along the top
   vec4 edge_y;  // xyz: down the left side
-  vec4 uv;      // glyph: u0, v0, u1, v1; plate: width, height, corner radius, 0 in one unit
+  vec4 uv;      // glyph: u0, v0, u1, v1; plate: width, height, corner radius, 0 in one unit; ring: width, height and
+                // thickness in radii, the share that is drawn, clockwise from the top
   vec4 color;   // linear, not premultiplied
-  vec4 shape;   // x: QUAD_PLATE or QUAD_GLYPH
+  vec4 shape;   // x: QUAD_PLATE, QUAD_GLYPH or QUAD_RING
 };
 
 struct LineData {
@@ -132,6 +143,7 @@ static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, e
 static_assert(offsetof(SceneData, key_direction) == 96 && sizeof(SceneData) == 816);
 static_assert(sizeof(DrawData) == 112 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 &&
               sizeof(LineData) == 48);
+static_assert(sizeof(CutData) <= sizeof(DrawData));
 static_assert(sizeof(UnpackData) == 16);
 }  // namespace onestroke::gpu
 #endif

@@ -4,6 +4,8 @@ namespace onestroke::spirv {
 
 namespace {
 
+#include "cut_frag.spv.h"
+#include "cut_vert.spv.h"
 #include "finger_frag.spv.h"
 #include "finger_vert.spv.h"
 #include "foreground_frag.spv.h"
@@ -52,6 +54,12 @@ std::span<const std::uint32_t> model_vert() {
 }
 std::span<const std::uint32_t> model_frag() {
   return model_frag_words;
+}
+std::span<const std::uint32_t> cut_vert() {
+  return cut_vert_words;
+}
+std::span<const std::uint32_t> cut_frag() {
+  return cut_frag_words;
 }
 std::span<const std::uint32_t> quad_vert() {
   return quad_vert_words;

@@ -16,6 +16,8 @@ std::span<const std::uint32_t> probe_frag();
 std::span<const std::uint32_t> unpack_frag();
 std::span<const std::uint32_t> model_vert();
 std::span<const std::uint32_t> model_frag();
+std::span<const std::uint32_t> cut_vert();
+std::span<const std::uint32_t> cut_frag();
 std::span<const std::uint32_t> quad_vert();
 std::span<const std::uint32_t> quad_frag();
 std::span<const std::uint32_t> line_vert();

@@ -165,7 +165,7 @@ void FrameRecorder::record_foreground(const FrameSlot& slot, const FramePass& pa
   targets_.begin_foreground(commands, pass);
   set_viewport(commands, area_of(drawn.front().viewport));
   commands.setScissor(0, pass.foreground);
-  models_.record(commands, layouts_, pipelines, eye_of(drawn));
+  models_.record(commands, layouts_, pipelines, pass.foreground, eye_of(drawn));
   if (data_.passthrough && scene.fingers) seen.fingers.draw(commands, layouts_, pipelines, surface_);
   if (const auto count = static_cast<std::uint32_t>(overlay_.lines().size())) {
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.line);

@@ -40,6 +40,10 @@ struct ModelInstance {
   /// Factor on the base colour; its opacity lets the world behind show through, but not the model's own back.
   Color tint{};
   std::optional<ClipPlane> clip_plane{};
+  /// Whether the faces that the plane cuts the model open with are shown filled, with a hatch: for closed models. They
+  /// are as opaque as the tint.
+  bool fill_cut = false;
+  Color cut_color{0.8F, 0.35F, 0.03F, 1};
   /// Drawn to depth alone: hides what is behind it and shows the camera's picture instead.
   bool occluder = false;
 };

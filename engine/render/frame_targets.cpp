@@ -1,5 +1,7 @@
 #include "render/frame_targets.h"
 
+#include "render/graphics_pipeline.h"
+
 namespace onestroke {
 
 namespace {
@@ -36,7 +38,7 @@ void FrameTargets::fit(const RenderTarget& target, std::uint32_t views_at_once, 
   info.samples = sample_count;
   info.usage = Usage::eColorAttachment | Usage::eTransientAttachment;
   color_ = Image(device_, info);
-  info.format = depth_format;
+  info.format = depth_format(device_);
   info.usage = Usage::eDepthStencilAttachment | Usage::eTransientAttachment;
   depth_ = Image(device_, info);
 }
@@ -47,8 +49,8 @@ void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, con
   image_barrier(commands, color_.handle(), to_draw, draw_color, draw_color);
   image_barrier(commands, foreground_.handle(), to_draw,
                 {sampled_by_fragments.stage | draw_color.stage, draw_color.access}, draw_color);
-  image_barrier(commands, depth_.handle(), {Layout::eUndefined, Layout::eDepthAttachmentOptimal}, draw_depth,
-                draw_depth, vk::ImageAspectFlagBits::eDepth);
+  image_barrier(commands, depth_.handle(), {Layout::eUndefined, Layout::eDepthStencilAttachmentOptimal}, draw_depth,
+                draw_depth, vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil);
   const vk::RenderingAttachmentInfo color{.imageView = color_.view(),
                                           .imageLayout = Layout::eColorAttachmentOptimal,
                                           .resolveMode = vk::ResolveModeFlagBits::eAverage,
@@ -57,16 +59,18 @@ void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, con
                                           .loadOp = vk::AttachmentLoadOp::eClear,
                                           .storeOp = vk::AttachmentStoreOp::eDontCare};
   const vk::RenderingAttachmentInfo depth{.imageView = depth_.view(),
-                                          .imageLayout = Layout::eDepthAttachmentOptimal,
+                                          .imageLayout = Layout::eDepthStencilAttachmentOptimal,
                                           .loadOp = vk::AttachmentLoadOp::eClear,
-                                          .storeOp = vk::AttachmentStoreOp::eDontCare};
+                                          .storeOp = vk::AttachmentStoreOp::eDontCare,
+                                          .clearValue = {.depthStencil = {0.0F, no_layers}}};
   commands.beginRendering({.renderArea = pass.foreground,
                            // Without a meaning where there is a view mask; some drivers keep the views within it.
                            .layerCount = color_.info().layers,
                            .viewMask = pass.view_mask,
                            .colorAttachmentCount = 1,
                            .pColorAttachments = &color,
-                           .pDepthAttachment = &depth});
+                           .pDepthAttachment = &depth,
+                           .pStencilAttachment = &depth});
 }
 
 void FrameTargets::end_foreground(const vk::raii::CommandBuffer& commands) const {

@@ -15,6 +15,24 @@ vk::PipelineColorBlendAttachmentState blend_of(const PipelineRecipe& recipe) {
   return state;
 }
 
+vk::StencilOpState stencil_of(Layers layers, vk::StencilOp count) {
+  const bool counts = layers == Layers::counted;
+  return {.passOp = counts ? count : vk::StencilOp::eKeep,
+          .compareOp = counts ? vk::CompareOp::eAlways : vk::CompareOp::eLess,
+          .compareMask = 0xFF,
+          .writeMask = 0xFF,
+          .reference = no_layers};
+}
+
+vk::PipelineDepthStencilStateCreateInfo depth_stencil_of(const PipelineRecipe& recipe) {
+  return {.depthTestEnable = recipe.tests_depth,
+          .depthWriteEnable = recipe.writes_depth,
+          .depthCompareOp = vk::CompareOp::eGreaterOrEqual,
+          .stencilTestEnable = recipe.layers != Layers::ignored,
+          .front = stencil_of(recipe.layers, vk::StencilOp::eDecrementAndWrap),
+          .back = stencil_of(recipe.layers, vk::StencilOp::eIncrementAndWrap)};
+}
+
 std::vector<vk::SpecializationMapEntry> entries_of(const std::vector<std::uint32_t>& constants) {
   std::vector<vk::SpecializationMapEntry> entries;
   for (std::uint32_t i = 0; i < constants.size(); ++i)
@@ -35,7 +53,9 @@ vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& 
   const auto module_of = [&device](std::span<const std::uint32_t> words) {
     return device.vk().createShaderModule({.codeSize = words.size_bytes(), .pCode = words.data()});
   };
-  const auto vertex = module_of(recipe.vertex), fragment = module_of(recipe.fragment);
+  const bool shades = !recipe.fragment.empty();
+  const auto vertex = module_of(recipe.vertex);
+  const auto fragment = shades ? module_of(recipe.fragment) : vk::raii::ShaderModule(nullptr);
   const std::vector<vk::SpecializationMapEntry> entries = entries_of(recipe.constants);
   const vk::SpecializationInfo constants{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
                                          .pMapEntries = entries.data(),
@@ -56,9 +76,7 @@ vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& 
   const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
   const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1};
   const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = recipe.samples};
-  const vk::PipelineDepthStencilStateCreateInfo depth{.depthTestEnable = recipe.tests_depth,
-                                                      .depthWriteEnable = recipe.writes_depth,
-                                                      .depthCompareOp = vk::CompareOp::eGreaterOrEqual};
+  const vk::PipelineDepthStencilStateCreateInfo depth_stencil = depth_stencil_of(recipe);
   const auto blend = blend_of(recipe);
   const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
   const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
@@ -68,16 +86,17 @@ vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& 
   const vk::PipelineRenderingCreateInfo rendering{.viewMask = recipe.view_mask,
                                                   .colorAttachmentCount = 1,
                                                   .pColorAttachmentFormats = &recipe.color,
-                                                  .depthAttachmentFormat = recipe.depth};
+                                                  .depthAttachmentFormat = recipe.depth,
+                                                  .stencilAttachmentFormat = recipe.depth};
   return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
-                                                                      .stageCount = stages.size(),
+                                                                      .stageCount = shades ? 2U : 1U,
                                                                       .pStages = stages.data(),
                                                                       .pVertexInputState = &input,
                                                                       .pInputAssemblyState = &assembly,
                                                                       .pViewportState = &viewport,
                                                                       .pRasterizationState = &raster,
                                                                       .pMultisampleState = &multisample,
-                                                                      .pDepthStencilState = &depth,
+                                                                      .pDepthStencilState = &depth_stencil,
                                                                       .pColorBlendState = &blends,
                                                                       .pDynamicState = &dynamics,
                                                                       .layout = recipe.layout});

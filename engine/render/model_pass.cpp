@@ -1,5 +1,7 @@
 #include "render/model_pass.h"
 
+#include "render/cut_face.h"
+#include "render/graphics_pipeline.h"
 #include "render/level_choice.h"
 #include "scene/frames.h"
 
@@ -65,30 +67,63 @@ gpu::DrawData data_of(const ModelInstance& instance, const BallRange& shadow) {
 struct ModelPass::Recorder {
   const vk::raii::CommandBuffer& commands;
   vk::PipelineLayout layout;
+  vk::Rect2D area;
+  glm::vec3 eye;
   vk::Pipeline bound_pipeline;
   const GpuModel* bound_model = nullptr;
   const ModelInstance* pushed = nullptr;
+  bool has_layers = false;  // in the stencil
 
   void draw(const std::array<vk::raii::Pipeline, 2>& pipelines, const Draw& d, const GpuModel::Part& part) {
-    const vk::raii::Pipeline& pipeline = pipelines[part.textured ? 1 : 0];
-    if (bound_pipeline != *pipeline) commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
-    bound_pipeline = *pipeline;
-    if (bound_model != d.model) {
-      commands.bindVertexBuffers(0, d.model->vertices.handle(), vk::DeviceSize{0});
-      commands.bindIndexBuffer(d.model->indices.handle(), 0, vk::IndexType::eUint32);
-      bound_model = d.model;
-    }
-    if (pushed != d.instance) push(*d.instance, d.shadow);
+    prepare(pipelines[part.textured ? 1 : 0], d);
     const bool both_sides = part.double_sided || d.instance->clip_plane;
     commands.setCullMode(both_sides ? vk::CullModeFlagBits::eNone : vk::CullModeFlagBits::eBack);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, layout, 1, d.model->materials[part.material], {});
     commands.drawIndexed(part.index_count, 1, part.first_index, 0, 0);
   }
 
-  void push(const ModelInstance& instance, const BallRange& shadow) {
-    const gpu::DrawData data = data_of(instance, shadow);
-    commands.pushConstants<gpu::DrawData>(layout, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment,
-                                          0, data);
+  /// Fills the face that the instance's plane cuts.
+  void fill(const Pipelines& pipelines, const Draw& d) {
+    if (std::exchange(has_layers, true)) clear_layers();
+    prepare(pipelines.layers, d);
+    commands.setCullMode(vk::CullModeFlagBits::eNone);
+    for (const auto& part : *d.level)
+      if (!part.blends) commands.drawIndexed(part.index_count, 1, part.first_index, 0, 0);
+    bind(pipelines.cut);
+    push(cut_face(*d.instance, d.model->box, eye));
+    pushed = nullptr;
+    commands.draw(4, 1, 0, 0);
+  }
+
+  void clear_layers() {
+    const vk::ClearAttachment none{.aspectMask = vk::ImageAspectFlagBits::eStencil,
+                                   .clearValue = {.depthStencil = {0.0F, no_layers}}};
+    commands.clearAttachments(none, vk::ClearRect{.rect = area, .layerCount = 1});
+  }
+
+  void bind(const vk::raii::Pipeline& pipeline) {
+    if (bound_pipeline != *pipeline) commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
+    bound_pipeline = *pipeline;
+  }
+
+  void prepare(const vk::raii::Pipeline& pipeline, const Draw& d) {
+    bind(pipeline);
+    if (bound_model != d.model) {
+      commands.bindVertexBuffers(0, d.model->vertices.handle(), vk::DeviceSize{0});
+      commands.bindIndexBuffer(d.model->indices.handle(), 0, vk::IndexType::eUint32);
+      bound_model = d.model;
+    }
+    if (pushed != d.instance) push_instance(*d.instance, d.shadow);
+  }
+
+  template <typename Data>
+  void push(const Data& data) {
+    commands.pushConstants<Data>(layout, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0,
+                                 data);
+  }
+
+  void push_instance(const ModelInstance& instance, const BallRange& shadow) {
+    push(data_of(instance, shadow));
     // A mirroring matrix turns every triangle over.
     const bool mirrors = glm::determinant(glm::mat3(matrix_of(instance))) < 0;
     commands.setFrontFace(mirrors ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
@@ -98,6 +133,7 @@ struct ModelPass::Recorder {
 
 void ModelPass::prepare(std::span<const ModelInstance> instances, std::span<const View> views) {
   occluders_.clear();
+  cuts_.clear();
   opaque_.clear();
   blended_.clear();
   shadows_.clear();
@@ -109,10 +145,11 @@ void ModelPass::prepare(std::span<const ModelInstance> instances, std::span<cons
     if (!model || instance.tint.a <= 0) continue;
     const BallRange shadow = shadows_.nearest_other(instance);
     const GpuModel::Parts& level = level_for(*model, instance, views);
-    if (!instance.occluder && instance.tint.a < 1) {
-      blended_.push_back({.model = model, .level = &level, .instance = &instance, .shadow = shadow});
-      continue;
-    }
+    const bool faded = !instance.occluder && instance.tint.a < 1, filled = shows_cut(instance, model->box, views);
+    if (faded || filled)
+      (faded ? blended_ : cuts_)
+          .push_back({.model = model, .level = &level, .instance = &instance, .shadow = shadow, .filled = filled});
+    if (faded) continue;
     for (const auto& part : level) {
       auto& list = instance.occluder ? occluders_ : part.blends ? blended_ : opaque_;
       list.push_back({.model = model, .level = &level, .part = &part, .instance = &instance, .shadow = shadow});
@@ -128,17 +165,18 @@ void ModelPass::add_to(ScreenBounds& bounds) const {
 }
 
 void ModelPass::record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
-                       const glm::vec3& eye) {
-  Recorder recorder{.commands = commands, .layout = *layouts.pipeline, .bound_pipeline = {}};
+                       vk::Rect2D area, const glm::vec3& eye) {
+  Recorder recorder{.commands = commands, .layout = *layouts.pipeline, .area = area, .eye = eye, .bound_pipeline = {}};
   for (const auto& d : occluders_) recorder.draw(pipelines.model_depth, d, *d.part);
+  for (const auto& d : cuts_) recorder.fill(pipelines, d);
   for (const auto& d : opaque_) recorder.draw(pipelines.model, d, *d.part);
-  record_blended(recorder, pipelines, eye);
+  record_blended(recorder, pipelines);
 }
 
-void ModelPass::record_blended(Recorder& recorder, const Pipelines& pipelines, const glm::vec3& eye) {
+void ModelPass::record_blended(Recorder& recorder, const Pipelines& pipelines) {
   for (auto& d : blended_) {
     const glm::vec3 centre = d.part ? d.part->centre : centre_of(*d.level);
-    d.distance = glm::length(glm::vec3(matrix_of(*d.instance) * glm::vec4(centre, 1.0F)) - eye);
+    d.distance = glm::length(glm::vec3(matrix_of(*d.instance) * glm::vec4(centre, 1.0F)) - recorder.eye);
   }
   std::sort(blended_.begin(), blended_.end(), [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
   for (const auto& d : blended_) {
@@ -149,6 +187,7 @@ void ModelPass::record_blended(Recorder& recorder, const Pipelines& pipelines, c
     // A faded model first fills the depth buffer, so that only its nearest surface is seen and not its inside.
     for (const auto& part : *d.level)
       if (!part.blends) recorder.draw(pipelines.model_depth, d, part);
+    if (d.filled) recorder.fill(pipelines, d);
     for (const auto& part : *d.level) recorder.draw(pipelines.model_blend, d, part);
   }
 }

@@ -8,6 +8,7 @@
 namespace onestroke {
 
 /// Draws the instances of a frame: occluders, then what is opaque, then what lets light through, farthest first.
+/// Faces of cuts come before what is opaque, whose hidden insides they spare.
 class ModelPass {
  public:
   explicit ModelPass(const ModelStore& store) : store_(store) {}
@@ -19,9 +20,9 @@ class ModelPass {
   std::span<const gpu::vec4> balls() const { return shadows_.balls(); }
   /// Where what is seen of them lies; occluders are not seen.
   void add_to(ScreenBounds& bounds) const;
-  /// Records one view, seen from `eye` (world, graphics axes).
+  /// Records a pass that draws to `area`, seen from `eye` (world, graphics axes).
   void record(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
-              const glm::vec3& eye);
+              vk::Rect2D area, const glm::vec3& eye);
 
  private:
   struct Draw {
@@ -30,15 +31,16 @@ class ModelPass {
     const GpuModel::Part* part = nullptr;  // of the level; null: every one of it
     const ModelInstance* instance = nullptr;
     BallRange shadow{};
+    bool filled = false;
     float distance = 0;
   };
 
   struct Recorder;
-  void record_blended(Recorder& recorder, const Pipelines& pipelines, const glm::vec3& eye);
+  void record_blended(Recorder& recorder, const Pipelines& pipelines);
 
   const ModelStore& store_;
   ContactShadows shadows_;
-  std::vector<Draw> occluders_, opaque_, blended_;
+  std::vector<Draw> occluders_, cuts_, opaque_, blended_;
 };
 
 }  // namespace onestroke

@@ -67,6 +67,29 @@ PipelineRecipe model_recipe(bool textured, bool writes_color, bool blends) {
           .sets_culling = true};
 }
 
+PipelineRecipe layers_recipe() {
+  return {.vertex = spirv::model_vert(),
+          .fragment = {},
+          .layout = {},
+          .bindings = model_bindings,
+          .attributes = model_attributes,
+          .topology = vk::PrimitiveTopology::eTriangleList,
+          .layers = Layers::counted,
+          .writes_color = false,
+          .sets_culling = true};
+}
+
+PipelineRecipe cut_recipe() {
+  return {.vertex = spirv::cut_vert(),
+          .fragment = spirv::cut_frag(),
+          .layout = {},
+          .topology = vk::PrimitiveTopology::eTriangleStrip,
+          .tests_depth = true,
+          .writes_depth = true,
+          .layers = Layers::needed,
+          .blends = true};
+}
+
 PipelineRecipe finger_recipe() {
   return {.vertex = spirv::finger_vert(),
           .fragment = spirv::finger_frag(),
@@ -141,6 +164,13 @@ vk::raii::PipelineLayout pipeline_layout(Device& device, vk::DescriptorSetLayout
 
 }  // namespace
 
+vk::Format depth_format(const Device& device) {
+  constexpr auto best = vk::Format::eD32SfloatS8Uint;
+  const vk::FormatProperties has = device.physical().getFormatProperties(best);
+  const bool drawn = !!(has.optimalTilingFeatures & vk::FormatFeatureFlagBits::eDepthStencilAttachment);
+  return drawn ? best : vk::Format::eD24UnormS8Uint;
+}
+
 Layouts::Layouts(Device& device)
     : frame(frame_layout(device)),
       material(material_layout(device)),
@@ -152,7 +182,7 @@ Pipelines::Pipelines(Device& device, const Layouts& layouts, vk::Format target, 
         recipe.color = target;
         recipe.view_mask = view_mask;
         if (to_foreground) {
-          recipe.depth = depth_format;
+          recipe.depth = depth_format(device);
           recipe.samples = sample_count;
         }
         return make_graphics_pipeline(device, recipe);
@@ -165,6 +195,8 @@ Pipelines::Pipelines(const Make& make)
     : model{make(model_recipe(false, true, false), true), make(model_recipe(true, true, false), true)},
       model_blend{make(model_recipe(false, true, true), true), make(model_recipe(true, true, true), true)},
       model_depth{make(model_recipe(false, false, false), true), make(model_recipe(true, false, false), true)},
+      layers(make(layers_recipe(), true)),
+      cut(make(cut_recipe(), true)),
       finger(make(finger_recipe(), true)),
       line(make(line_recipe(), true)),
       quad(make(quad_recipe(true), true)),

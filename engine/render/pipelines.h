@@ -7,7 +7,9 @@
 namespace onestroke {
 
 inline constexpr auto sample_count = vk::SampleCountFlagBits::e4;
-inline constexpr auto depth_format = vk::Format::eD32Sfloat;
+
+/// The best that the device has with a stencil beside it; every one has such a format.
+vk::Format depth_format(const Device& device);
 
 /// What every pipeline shares: set 0 changes by frame, set 1 by material, push constants by draw.
 struct Layouts {
@@ -29,6 +31,8 @@ struct Pipelines {
   std::array<vk::raii::Pipeline, 2> model;        ///< Writes depth; culling and front face are set while recording.
   std::array<vk::raii::Pipeline, 2> model_blend;  ///< Premultiplied over what is there; does not write depth.
   std::array<vk::raii::Pipeline, 2> model_depth;  ///< Depth alone.
+  vk::raii::Pipeline layers;                      ///< Counts a model's layers; see Layers.
+  vk::raii::Pipeline cut;                         ///< Where there are layers; premultiplied, writes depth.
   vk::raii::Pipeline finger;                      ///< As model_blend.
   vk::raii::Pipeline line;
   vk::raii::Pipeline quad;

@@ -5,7 +5,9 @@ namespace onestroke {
 namespace {
 
 vk::ImageAspectFlags aspect_of(vk::Format format) {
-  return format == vk::Format::eD32Sfloat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+  using Aspect = vk::ImageAspectFlagBits;
+  const bool depth = format == vk::Format::eD32SfloatS8Uint || format == vk::Format::eD24UnormS8Uint;
+  return depth ? Aspect::eDepth | Aspect::eStencil : Aspect::eColor;
 }
 
 vk::raii::ImageView make_view(Device& device, vk::Image image, const ImageInfo& info, vk::Format format,

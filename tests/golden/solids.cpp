@@ -82,6 +82,18 @@ Model sheet(float half, const ModelMaterial& material) {
   return finished(std::move(model), "sheet", material);
 }
 
+Model hollow(const Model& outer, const Model& inner) {
+  Model model = outer;
+  model.vertices.insert(model.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (auto vertex = model.vertices.begin() + static_cast<std::ptrdiff_t>(outer.vertices.size());
+       vertex != model.vertices.end(); ++vertex)
+    vertex->normal = scaled(vertex->normal, -1);
+  const auto first = static_cast<std::uint32_t>(outer.vertices.size());
+  for (std::size_t i = 0; i < inner.indices.size(); i += 3)
+    for (const std::size_t corner : {0, 2, 1}) model.indices.push_back(first + inner.indices[i + corner]);
+  return finished(std::move(model), "hollow", outer.materials.front());
+}
+
 ModelImage checks(int size, int cells) {
   ModelImage image{size, size, true, {}};
   for (int y = 0; y < size; ++y)
