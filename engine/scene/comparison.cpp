@@ -71,6 +71,7 @@ const ComparisonView& Comparison::update(const FrameRecord& record, Time now) {
 
 void Comparison::exchange_hands() {
   std::swap(motions_[0], motions_[1]);
+  signs_.exchange();
   leader_ = other(leader_);
   pointer_ = other(pointer_);
   base_ = other(base_);

@@ -44,6 +44,11 @@ std::optional<MadeSign> SignFinder::update(const StickPair& sticks, const Compar
   return std::nullopt;
 }
 
+void SignFinder::exchange() {
+  touch_.exchange();
+  untwisted_ = untwisted_.conjugate();
+}
+
 // Whether a stick is twisted is a matter of the hands; what that means, one of the mode.
 std::optional<Sign> SignFinder::watch_twist(const StickPair& sticks, const CompareMode& mode, Time now) {
   twist_progress_ = 0;
@@ -57,7 +62,8 @@ std::optional<Sign> SignFinder::watch_twist(const StickPair& sticks, const Compa
     untwisted_ = sticks.right_to_left;
     twisting_since_.reset();
   }
-  if (!sticks.both_visible) return std::nullopt;
+  // Sticks that are not held together turn as they like.
+  if (!sticks.both_visible || !corners_held_) return std::nullopt;
   const double turned = angle_between(sticks.right_to_left, untwisted_) * 180 / std::numbers::pi;
   const bool changing = twisted_ ? turned < untwisted_deg : turned > twisted_deg;
   if (!changing) {

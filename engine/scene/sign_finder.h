@@ -38,6 +38,8 @@ class SignFinder {
 
   /// One frame; `now` does not go back. One sign a frame at most.
   std::optional<MadeSign> update(const StickPair& sticks, const CompareMode& mode, Time now);
+  /// The sticks have changed hands.
+  void exchange();
   /// Of this frame.
   const std::optional<OfferedSign>& offer() const { return offer_; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace onestroke {
 
@@ -41,6 +42,13 @@ TouchGesture::Nearest TouchGesture::nearest(const std::array<StickPoints, 2>& st
       }
     }
   return found;
+}
+
+void TouchGesture::exchange() {
+  std::swap(last_.left, last_.right);
+  for (std::optional<Touch>* touch : {&candidate_, &approached_})
+    if (*touch) std::swap((*touch)->left, (*touch)->right);
+  between_ = -between_;
 }
 
 void TouchGesture::let_go() {

@@ -45,6 +45,9 @@ class TouchGesture {
   /// complete.
   std::optional<Touch> update(const std::optional<std::array<StickPoints, 2>>& sticks, Time now);
 
+  /// The sticks have changed hands: what was left is right from now on.
+  void exchange();
+
   /// The touch that is being made or would be next, for something to be shown at it; none where none is near.
   const std::optional<Touch>& candidate() const { return candidate_; }
   /// As candidate(), and from farther away: what the sticks are about to do, for words to be shown at it.
