@@ -11,16 +11,27 @@ layout(location = 3) flat in float kind;
 
 layout(location = 0) out vec4 color;
 
+// How far the place is from the ring, radii; less than 0 within. uv: see QuadData.
+float outside_ring() {
+  float ring = abs(length(at) - 1.0 + 0.5 * uv.z) - 0.5 * uv.z;
+  if (uv.w >= 1.0) return ring;
+  // Clockwise from the line to the top, and back from the line to the ring's end.
+  float end = uv.w * 6.28318531, past_start = -at.x, past_end = dot(at, vec2(cos(end), sin(end)));
+  return max(ring, uv.w <= 0.5 ? max(past_start, past_end) : min(past_start, past_end));
+}
+
 void main() {
   // Derivatives and texture reads stand outside the branch, where they are defined.
   vec2 width = fwidth(at);
   float signed_distance = textureLod(glyphs, at, 0.0).r - 0.5;
   float coverage;
-  if (kind > 0.5) {
+  if (kind == QUAD_GLYPH) {
     // The atlas holds distances: 255 levels are twice its spread in texels.
     float texels = max(width.x, width.y) * float(textureSize(glyphs, 0).x);
     float pixels = signed_distance * 2.0 * ATLAS_SPREAD / max(texels, 1e-6);
     coverage = clamp(pixels + 0.5, 0.0, 1.0);
+  } else if (kind == QUAD_RING) {
+    coverage = clamp(0.5 - outside_ring() / max(max(width.x, width.y), 1e-6), 0.0, 1.0);
   } else {
     vec2 q = abs(at) - 0.5 * uv.xy + uv.z;
     float outside = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - uv.z;

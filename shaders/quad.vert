@@ -27,9 +27,9 @@ vec2 pixel_at(vec2 corner) {
 
 void main() {
   vec2 corner = vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1);
-  bool glyph = shape.x > 0.5;
+  bool glyph = shape.x == QUAD_GLYPH;
   if (!glyph) {
-    // A pixel more on every side, in which the plate's edge fades.
+    // A pixel more on every side, in which the edge of a plate or a ring fades.
     vec2 first = pixel_at(vec2(0.0));
     vec2 size = vec2(distance(first, pixel_at(vec2(1.0, 0.0))), distance(first, pixel_at(vec2(0.0, 1.0))));
     corner += (2.0 * corner - 1.0) / max(size, 1.0);

@@ -63,6 +63,23 @@ struct Label {
   bool on_top = false;
 };
 
+/// A ring in the world, parallel to the screen, that fills clockwise from its top.
+struct Gauge {
+  Vec3 position_world{};  ///< Vision axes, mm.
+  double radius_px = 14;  ///< Pixels of the view.
+  double progress = 0;    ///< 0 to 1.
+  Color color{1, 1, 1, 1};
+  Color back{0.01F, 0.012F, 0.016F, 0.78F};  ///< Of the whole ring behind, which stands out a little.
+  bool on_top = false;                       ///< As Label's.
+};
+
+/// A rectangle on the screen of every view, pixels from the viewport's top left corner. Its edges go to whole pixels,
+/// so that boxes side by side leave no seam.
+struct HudBox {
+  double x = 0, y = 0, width = 0, height = 0;
+  Color color{};
+};
+
 /// Text on the screen of every view. As Label, at pixels from the viewport's top left corner.
 struct HudText {
   std::string_view text{};
@@ -104,6 +121,8 @@ struct FrameScene {
   std::span<const ModelInstance> instances{};
   std::span<const Line> lines{};
   std::span<const Label> labels{};
+  std::span<const Gauge> gauges{};
+  std::span<const HudBox> boxes{};  ///< Under the screen's texts.
   std::span<const HudText> hud{};
   /// Without one, models stand in the light that the camera's pictures show, or before the first in Light{}.
   std::optional<Light> light{};

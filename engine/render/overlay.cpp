@@ -15,6 +15,9 @@ namespace {
 // Ems between a text and the edge of its plate.
 constexpr float margin_x = 0.5F, margin_y = 0.22F, corner_radius = 0.36F;
 
+// Of a ring in its radius, and of what it leaves of the ring behind on either side in its thickness.
+constexpr float ring_thickness = 0.29F, ring_rim = 0.18F;
+
 gpu::vec4 rgba(const Color& c) {
   return {c.r, c.g, c.b, c.a};
 }
@@ -31,12 +34,14 @@ TextSize plate_size(std::string_view text) {
 struct Overlay::Frame {
   glm::vec3 eye, forward, right, down;
   float focal_px = 1;
+
+  float depth(const glm::vec3& at) const { return glm::dot(at - eye, forward); }
+  float distance(const Vec3& at) const { return glm::length(point_to_graphics(at) - eye); }
 };
 
 void Overlay::build(const FrameScene& scene, std::span<const View> views) {
   quads_.clear();
   lines_.clear();
-  order_.clear();
   tested_ = 0;
   if (views.empty()) return;
   Vec3 middle;
@@ -48,20 +53,31 @@ void Overlay::build(const FrameScene& scene, std::span<const View> views) {
                     .down = direction_to_graphics(rotate(first.T_world_view.rotation, {0, 1, 0})),
                     .focal_px = static_cast<float>(first.viewport.height / (first.fov.up - first.fov.down))};
 
-  for (const auto& label : scene.labels)
-    order_.emplace_back(glm::length(point_to_graphics(label.position_world) - frame.eye), &label);
-  std::sort(order_.begin(), order_.end(), [](const auto& a, const auto& b) {
-    return a.second->on_top != b.second->on_top ? b.second->on_top : a.first > b.first;
-  });
-  for (const auto& [distance, label] : order_) {
-    add_label(*label, frame);
-    if (!label->on_top) tested_ = static_cast<std::uint32_t>(quads_.size());
+  sort_markings(scene, frame);
+  for (const auto& marking : order_) {
+    if (marking.label)
+      add_label(*marking.label, frame);
+    else
+      add_gauge(*marking.gauge, frame);
+    if (!marking.on_top()) tested_ = static_cast<std::uint32_t>(quads_.size());
   }
+  for (const auto& box : scene.boxes) add_box(box);
   for (const auto& text : scene.hud) add_hud(text);
   for (const auto& line : scene.lines)
     lines_.push_back({.from = {point_to_graphics(line.from_world), static_cast<float>(line.width_px)},
                       .to = {point_to_graphics(line.to_world), 1.0F},
                       .color = rgba(line.color)});
+}
+
+void Overlay::sort_markings(const FrameScene& scene, const Frame& frame) {
+  order_.clear();
+  for (const auto& label : scene.labels)
+    order_.push_back({.distance = frame.distance(label.position_world), .label = &label, .gauge = nullptr});
+  for (const auto& gauge : scene.gauges)
+    order_.push_back({.distance = frame.distance(gauge.position_world), .label = nullptr, .gauge = &gauge});
+  std::sort(order_.begin(), order_.end(), [](const Marking& a, const Marking& b) {
+    return a.on_top() != b.on_top() ? b.on_top() : a.distance > b.distance;
+  });
 }
 
 void Overlay::add_to(ScreenBounds& bounds) const {
@@ -74,7 +90,7 @@ void Overlay::add_to(ScreenBounds& bounds) const {
 
 void Overlay::add_label(const Label& label, const Frame& frame) {
   const glm::vec3 at = point_to_graphics(label.position_world);
-  const float depth = glm::dot(at - frame.eye, frame.forward);
+  const float depth = frame.depth(at);
   if (depth <= 0) return;
   const float em = label.height_mm > 0 ? static_cast<float>(label.height_mm * metres_per_millimetre)
                                        : static_cast<float>(label.height_px) * depth / frame.focal_px;
@@ -90,6 +106,41 @@ void Overlay::add_label(const Label& label, const Frame& frame) {
                             .color = rgba(label.plate),
                             .shape = {QUAD_PLATE, 0.0F, 0.0F, 0.0F}};
   add_text(label.text, plate, label.color, size.width);
+}
+
+void Overlay::add_gauge(const Gauge& gauge, const Frame& frame) {
+  const glm::vec3 at = point_to_graphics(gauge.position_world);
+  const float depth = frame.depth(at);
+  if (depth <= 0) return;
+  const float metres_per_pixel = depth / frame.focal_px;
+  const auto add = [&](float radius_px, float thickness_px, float share, const Color& color) {
+    const glm::vec3 x = frame.right * radius_px * metres_per_pixel, down = frame.down * radius_px * metres_per_pixel;
+    quads_.push_back({.origin = {at - x - down, 0.0F},
+                      .edge_x = {2.0F * x, 0.0F},
+                      .edge_y = {2.0F * down, 0.0F},
+                      .uv = {2.0F, 2.0F, thickness_px / radius_px, share},
+                      .color = rgba(color),
+                      .shape = {QUAD_RING, 0.0F, 0.0F, 0.0F}});
+  };
+  const auto radius = static_cast<float>(gauge.radius_px);
+  const float thickness = radius * ring_thickness, rim = thickness * ring_rim;
+  if (gauge.back.a > 0) add(radius, thickness, 1, gauge.back);
+  if (gauge.progress > 0)
+    add(radius - rim, thickness - 2 * rim, static_cast<float>(std::min(gauge.progress, 1.0)), gauge.color);
+}
+
+void Overlay::add_box(const HudBox& box) {
+  // Boxes that touch may name their common edge in sums that are rounded differently.
+  const auto whole = [](double pixels) { return static_cast<float>(std::floor(pixels + 0.5 + 1e-6)); };
+  const float x = whole(box.x), y = whole(box.y), width = whole(box.x + box.width) - x,
+              height = whole(box.y + box.height) - y;
+  if (width <= 0 || height <= 0) return;
+  quads_.push_back({.origin = {x, y, 0.0F, 1.0F},
+                    .edge_x = {width, 0.0F, 0.0F, 0.0F},
+                    .edge_y = {0.0F, height, 0.0F, 0.0F},
+                    .uv = {width, height, 0.0F, 0.0F},
+                    .color = rgba(box.color),
+                    .shape = {QUAD_PLATE, 0.0F, 0.0F, 0.0F}});
 }
 
 void Overlay::add_hud(const HudText& text) {

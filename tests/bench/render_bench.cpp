@@ -150,6 +150,14 @@ Endurance endure(Gpu& gpu, int count) {
   const std::array labels{Label{.text = "a label\nof two lines", .position_world = {0, 0, 300}}};
   const std::array lines{Line{.from_world = {0, 0, 300}, .to_world = {50, 0, 300}}};
   const std::array hud{HudText{.text = "words on the screen", .x = 5, .y = 5}};
+  const std::array gauges{Gauge{.position_world = {0, 50, 300}, .progress = 0.5}};
+  const std::array boxes{HudBox{.x = 5, .y = 50, .width = 10, .height = 20}};
+  std::vector<ModelInstance> instances(scene.instances.begin(), scene.instances.end());
+  instances.front().clip_plane = ClipPlane{.a = 0, .b = 0, .c = -1, .d = -0.3F};
+  instances.front().fill_cut = true;
+  scene.instances = instances;
+  scene.gauges = gauges;
+  scene.boxes = boxes;
   scene.labels = labels;
   scene.lines = lines;
   scene.hud = hud;

@@ -1,7 +1,8 @@
-// Labels, leader lines and screen texts, alone and beside models; both eyes.
+// Labels, gauges, leader lines and what is on the screen, alone and beside models; both eyes.
 #include "golden/solids.h"
 #include "golden/stage.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace onestroke::golden {
@@ -92,6 +93,80 @@ TEST_F(Overlays, DrawLinesOfEvenWidthAndCutThemAtTheEye) {
   lines[8] = {.from_world = {-150, 20, 600}, .to_world = {-20, 40, -300}, .width_px = 5, .color = {0.2F, 0.8F, 1, 1}};
   lines[9] = {.from_world = {-100, 0, -50}, .to_world = {100, 0, -50}, .width_px = 5, .color = {1, 0, 0, 1}};
   expect_golden("lines", draw({.lines = lines}), {.level = 3, .pixels = 60});
+}
+
+/// Of what a dwell shows: nothing yet, on its way, done; before and behind a model, on any background.
+struct Rings {
+  std::array<ModelInstance, 1> models;
+  std::array<Gauge, 7> gauges{
+      Gauge{.position_world = {-110, -60, 400}},
+      Gauge{.position_world = {-60, -60, 400}, .progress = 0.3},
+      Gauge{.position_world = {0, -60, 400}, .radius_px = 24, .progress = 0.8, .color = {1, 0.6F, 0.1F, 1}},
+      Gauge{.position_world = {60, -60, 400}, .progress = 1},
+      Gauge{.position_world = {-40, 30, 330}, .radius_px = 20, .progress = 0.3},
+      Gauge{.position_world = {40, 30, 460}, .radius_px = 20, .progress = 0.6},
+      Gauge{.position_world = {40, 0, 460}, .radius_px = 20, .progress = 0.6, .on_top = true}};
+  std::array<Label, 1> labels{Label{.text = "overlay", .position_world = {-55, 30, 330}, .pivot_x = 1}};
+
+  explicit Rings(Renderer& renderer) {
+    models[0] = {.model = renderer.load(box({0.05F, 0.04F, 0.02F}, blue)),
+                 .world_graphics_from_model = placed(0, -0.015F, -0.4F, 0.3F, 0.2F)};
+  }
+  FrameScene scene() const { return {.instances = models, .labels = labels, .gauges = gauges}; }
+};
+
+TEST_F(Overlays, FillRings) {
+  const Chart chart(width, height, PixelFormat::rgb8, fov);
+  renderer->set_picture(chart.picture);
+  expect_golden("gauges", draw(Rings(*renderer).scene()), {.level = 3, .pixels = 60});
+}
+
+TEST_F(OverlaysStereo, FillRingsInBothEyes) {
+  const Chart chart(width, height, PixelFormat::rgb8, fov);
+  renderer->set_picture(chart.picture);
+  expect_golden("gauges_stereo", draw(Rings(*renderer).scene()), {.level = 3, .pixels = 120});
+}
+
+/// A bar of colours from the bottom to the top, in heights that are no whole pixels.
+std::array<HudBox, 32> color_bar(double x, double bottom, double step) {
+  std::array<HudBox, 32> boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto t = static_cast<float>(i) / 31;
+    boxes[i] = {.x = x,
+                .y = bottom - step * static_cast<double>(i + 1),
+                .width = 18.4,
+                .height = step,
+                .color = {t, 0.3F + 0.4F * t * (1 - t), 1 - t, 1}};
+  }
+  return boxes;
+}
+
+TEST_F(Overlays, DrawABarOfColours) {
+  const Chart chart(width, height, PixelFormat::rgb8, fov);
+  renderer->set_picture(chart.picture);
+  const auto bar = color_bar(400, 300, 7.3);
+  std::array<HudBox, 33> boxes{HudBox{.x = 392, .y = 50, .width = 84, .height = 262, .color = {0, 0, 0, 0.6F}}};
+  std::copy(bar.begin(), bar.end(), boxes.begin() + 1);
+  const std::array hud{
+      HudText{.text = "+0.5", .x = 416, .y = 60, .height_px = 12, .plate = {0, 0, 0, 0}},
+      HudText{.text = "-0.5 mm", .x = 416, .y = 305, .height_px = 12, .pivot_y = 1, .plate = {0, 0, 0, 0}}};
+  expect_golden("color_bar", draw({.boxes = boxes, .hud = hud}), {.level = 3, .pixels = 60});
+}
+
+TEST_F(Overlays, LeaveNoSeamBetweenBoxes) {
+  // All of one colour, so that any seam is seen; half see-through, so that any overlap is.
+  for (const double step : {7.3, 8.0, 2.5, 0.7}) {
+    auto boxes = color_bar(430.5, 300.5, step);
+    for (auto& box : boxes) box.color = {1, 1, 1, 0.5F};
+    const Picture picture = draw({.background = {0, 0, 0, 1}, .boxes = boxes});
+    const int top = static_cast<int>(std::floor(300.5 - 32 * step + 0.5)), bottom = 301;
+    const int inside = *picture.at(440, 298);
+    EXPECT_NEAR(inside, 188, 1);  // Half of all light, coded as sRGB.
+    for (int y = 0; y < height; ++y)
+      for (const int x : {430, 431, 440, 448, 449})
+        ASSERT_EQ(*picture.at(x, y), x >= 431 && x < 449 && y >= top && y < bottom ? inside : 0)
+            << step << ' ' << x << ' ' << y;
+  }
 }
 
 }  // namespace

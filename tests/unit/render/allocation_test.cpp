@@ -21,16 +21,23 @@ TEST(Renderer, AllocatesNothingOnceWarm) {
   const std::array instances{
       ModelInstance{.model = ring, .world_graphics_from_model = golden::placed(0, 0, -0.4F, 0, 0)},
       ModelInstance{
-          .model = ring, .world_graphics_from_model = golden::placed(0.1F, 0, -0.4F, 0, 0), .tint = {1, 1, 1, 0.5F}}};
+          .model = ring, .world_graphics_from_model = golden::placed(0.1F, 0, -0.4F, 0, 0), .tint = {1, 1, 1, 0.5F}},
+      ModelInstance{.model = ring,
+                    .world_graphics_from_model = golden::placed(-0.1F, 0, -0.4F, 0, 0),
+                    .clip_plane = ClipPlane{.a = 0, .b = 0, .c = -1, .d = -0.4F},
+                    .fill_cut = true}};
   const std::array labels{Label{.text = "a label", .position_world = {0, 0, 400}}};
   const std::array lines{Line{.from_world = {0, 0, 400}, .to_world = {50, 0, 400}}};
+  const std::array gauges{Gauge{.position_world = {0, 50, 400}, .progress = 0.5}};
+  const std::array boxes{HudBox{.x = 5, .y = 50, .width = 10, .height = 20}};
+  const FrameScene scene{.instances = instances, .lines = lines, .labels = labels, .gauges = gauges, .boxes = boxes};
   long allocations = 0;
   for (int i = 0; i < 12; ++i) {
     FrameInfo frame;
     display.begin(frame);
     const long before = test::allocations_of_this_thread();
     renderer.set_picture(chart.picture);
-    const bool drawn = renderer.draw({.instances = instances, .lines = lines, .labels = labels}, frame);
+    const bool drawn = renderer.draw(scene, frame);
     if (i >= 6) allocations += test::allocations_of_this_thread() - before;
     ASSERT_TRUE(drawn) << renderer.failure();
     display.end(frame);
