@@ -71,7 +71,9 @@ TEST(DifferenceVeil, ShowsWhatTheBaseHasMore) {
     // Both are the same but for a block of 10 x 10 x 20 mm on either end.
     EXPECT_GE(v.position[0], 30 * mm - 1e-8);
     EXPECT_GE(v.position[1], 10 * mm - 1e-8);
-    if (v.position[1] < 10 * mm + 1e-8) EXPECT_EQ(v.color[3], 0) << "on the other's surface";
+    if (v.position[1] < 10 * mm + 1e-8) {
+      EXPECT_EQ(v.color[3], 0) << "on the other's surface";
+    }
     most = std::max(most, v.color[3]);
   }
   EXPECT_FLOAT_EQ(most, veil_opacity);

@@ -84,7 +84,9 @@ TEST(MeshRefinement, InterpolatesNormals) {
   for (const ModelVertex& v : fine.vertices) {
     const auto& n = v.normal;
     EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-6);
-    if (v.position == std::array<float, 3>{0.5F, 0, 0}) EXPECT_NEAR(n[0], std::sqrt(0.5), 1e-6);
+    if (v.position == std::array<float, 3>{0.5F, 0, 0}) {
+      EXPECT_NEAR(n[0], std::sqrt(0.5), 1e-6);
+    }
   }
 }
 

@@ -61,8 +61,8 @@ TEST(ModelDifference, OfTwoBallsIsThatOfTheirRadiiToTheDepthOfTheirFacets) {
     ASSERT_GE(distance, 1 * mm - below - 1e-8);
   }
   for (const float distance : d.base) {
-    ASSERT_GE(distance, -1 * mm - 1e-8) << "inside";
-    ASSERT_LE(distance, -1 * mm + below + above + 1e-8);
+    ASSERT_GE(distance, -1 * mm - above - 1e-8);
+    ASSERT_LE(distance, -1 * mm + below + 1e-8);
   }
   EXPECT_NEAR(d.statistics.mean, 1, 0.05);
   EXPECT_NEAR(d.statistics.most, 1, 0.05);
