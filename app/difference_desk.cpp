@@ -71,6 +71,7 @@ void DifferenceDesk::wait() {
 }
 
 void DifferenceDesk::begin(const Wish& wish) {
+  reason_.clear();
   const auto place_of = [this](int id) {
     return static_cast<std::size_t>(std::ranges::find(carried_, id, &Carried::marker_id) - carried_.begin());
   };

@@ -13,7 +13,7 @@ namespace onestroke {
 struct SurfaceMeasures {
   double area = 0;
   double volume = 0;    ///< What it encloses; without a meaning where it is not closed.
-  bool closed = false;  ///< Every edge has two triangles that turn the same way round.
+  bool closed = false;  ///< See SurfaceSides.
 };
 
 /// How far one surface lies from another, over its own area.

@@ -70,7 +70,7 @@ void SurfaceSides::join_edges(std::span<const std::uint32_t> corners) {
     int forward = 0, backward = 0;
     for (auto s = first; s != end; ++s)
       if (!flat(s->side)) ++(s->forward ? forward : backward);
-    return forward == backward && forward < 2;
+    return forward == backward;
   };
   std::vector<Side> sides(corners.size());
   for (std::uint32_t i = 0; i < sides.size(); ++i) {

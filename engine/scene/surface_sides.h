@@ -22,7 +22,8 @@ class SurfaceSides {
   /// where none is zero, an edge's where one is, a corner's where two are. Not of unit length.
   glm::dvec3 normal(std::uint32_t triangle, const glm::dvec3& weights) const;
 
-  /// Whether every edge has two triangles that turn the same way round: a volume has an inside then.
+  /// Whether every edge has as many triangles that turn one way round as the other way: a volume has an inside then.
+  /// Parts that touch along edges are closed if each of them is.
   bool closed() const { return closed_; }
 
  private:

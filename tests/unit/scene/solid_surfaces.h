@@ -71,8 +71,7 @@ inline Surface ball(double radius, int n) {
 
 using Cell = glm::ivec3;
 
-/// A solid of cubes of a side, those of the cells from 0 to count that `is_full` says; closed, unless two cubes touch
-/// along an edge alone.
+/// A solid of cubes of a side, those of the cells from 0 to count that `is_full` says; closed.
 inline Surface cubes(double side, const Cell& count, const std::function<bool(const Cell&)>& is_full) {
   const auto full = [&](const Cell& c) {
     for (glm::length_t k = 0; k < 3; ++k)

@@ -128,6 +128,18 @@ TEST(SurfaceDifference, MeasuresABox) {
   EXPECT_NEAR(m.area, 2 * (1 * 0.5 + 1 * 0.25 + 0.5 * 0.25), 1e-6);
 }
 
+TEST(SurfaceDifference, TakesPartsThatTouchForClosed) {
+  const SurfaceMeasures along_an_edge = measure(cubes(0.5, {2, 2, 1}, [](const Cell& c) { return c.x == c.y; }));
+  EXPECT_TRUE(along_an_edge.closed);
+  EXPECT_NEAR(along_an_edge.volume, 0.25, 1e-9);
+  Surface side_by_side = box({0.5, 0.5, 0.5}, 2), more = side_by_side;
+  for (ModelVertex& v : more.vertices) v.position[0] += 1;
+  append(more, side_by_side);
+  EXPECT_TRUE(measure(side_by_side).closed);
+  side_by_side.indices.resize(side_by_side.indices.size() - 3);
+  EXPECT_FALSE(measure(side_by_side).closed);
+}
+
 TEST(SurfaceDifference, IsTheSameWithManyThreads) {
   std::mt19937 random(4);
   const Surface cloud = scattered(random, 0.7, 4000), other = box({0.5, 0.25, 0.125}, 9);
