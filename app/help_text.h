@@ -54,7 +54,11 @@ inline constexpr const char* seconds = "Stop after S seconds. Default: never";
 inline constexpr const char* run_examples = R"(Examples:
   onestroke run
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
+  onestroke run --camera synthetic:script=overlay,fingers=1
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
+
+What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
+section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.
 
 Keys in a window: L links the two models or parts them again, H hides words and figures, Space pauses, Q or Escape ends.)";
 

@@ -9,16 +9,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// 0 before a, 1 after b, with no jump in speed or acceleration.
-double ease(double t, double a, double b) {
-  const double u = std::clamp((t - a) / (b - a), 0.0, 1.0);
-  return u * u * u * (10 + u * (6 * u - 15));
-}
-
-/// A slow swing that comes round `turns` times a period.
-double swing(double t, int turns, double phase) {
-  return std::sin(2 * pi * turns * t / HandScript::period + phase);
-}
+/// Seconds, of the script of two hands that show no mode; what the head's sway is written for.
+constexpr double usual_period = 24;
 
 double side_of(std::size_t hand) {
   return hand == 0 ? -1 : 1;
@@ -35,13 +27,20 @@ Vec3 place(std::size_t hand, double t) {
   return {side * apart * std::cos(swap), 0, usual - 55 * near + 90 * far + side * pass * std::sin(swap)};
 }
 
-Vec3 sway(std::size_t hand, double t) {
+Vec3 sway(const Swing& swing, std::size_t hand, double t) {
   const double p = 1.7 * static_cast<double>(hand);
   return {3.0 * swing(t, 5, p) + 1.0 * swing(t, 17, 2 * p), 5.0 * swing(t, 4, p + 1) + 1.2 * swing(t, 13, p),
           5.0 * swing(t, 3, p + 2)};
 }
 
-Quat lean(std::size_t hand, double t) {
+/// What a hand that means to be still does: it drifts, and trembles by half a millimetre.
+Vec3 tremor(const Swing& swing, std::size_t hand, double t) {
+  const double p = 1.7 * static_cast<double>(hand);
+  return {0.6 * swing(t, 7, p) + 0.3 * swing(t, 43, 2 * p) + 0.1 * swing(t, 170, p),
+          0.7 * swing(t, 6, p + 1) + 0.3 * swing(t, 47, p) + 0.1 * swing(t, 190, p), 0.6 * swing(t, 5, p + 2)};
+}
+
+Quat lean(const Swing& swing, std::size_t hand, double t) {
   const double p = 2.3 * static_cast<double>(hand);
   const Quat rest = hand == 0 ? from_euler_xyz(0.20, 0.32, 0.10) : from_euler_xyz(0.15, pi - 0.35, -0.12);
   return exp_so3({0.05 * swing(t, 5, p), 0.06 * swing(t, 4, p + 1), 0.05 * swing(t, 7, p + 2)}) * rest;
@@ -60,29 +59,58 @@ Quat from_axes(Vec3 x, Vec3 y, Vec3 z) {
 
 }  // namespace
 
+double Swing::operator()(double t, int turns, double phase) const {
+  return std::sin(2 * pi * std::max(1.0, std::round(turns * period / usual_period)) * t / period + phase);
+}
+
+bool shows_two_hands(ScriptKind kind) {
+  return kind == ScriptKind::hands || find_mode_script(kind);
+}
+
 HandScript::HandScript(const SyntheticOptions& options, std::vector<const Rod*> rods)
     : kind_(options.script),
+      mode_(find_mode_script(options.script)),
+      swing_{mode_ ? mode_->period : usual_period},
       distance_(options.distance),
       rate_(options.step_deg * pi / 180 * options.fps),
       fingers_(options.fingers),
-      head_moves_(options.head.value_or(options.script == ScriptKind::hands)),
+      head_moves_(options.head.value_or(shows_two_hands(options.script))),
       rods_(std::move(rods)) {
   for (const Rod* rod : rods_) centres_.push_back(rod->centre());
+  if (!mode_) return;
+  paths_.reserve(2);
+  paths_.emplace_back(*rods_[0], mode_->left);
+  paths_.emplace_back(*rods_[1], mode_->right, &paths_[0]);
+}
+
+double HandScript::wrapped(double t) const {
+  return t - period() * std::floor(t / period());
 }
 
 Pose HandScript::T_world_camera(double t) const {
   if (!head_moves_) return {};
-  return {exp_so3({0.016 * swing(t, 4, 0.4), 0.030 * swing(t, 3, 1.1), 0.012 * swing(t, 5, 2)}),
-          {9 * swing(t, 3, 1), 5 * swing(t, 5, 0), 6 * swing(t, 2, 2)}};
+  const Pose sways{exp_so3({0.016 * swing_(t, 4, 0.4), 0.030 * swing_(t, 3, 1.1), 0.012 * swing_(t, 5, 2)}),
+                   {9 * swing_(t, 3, 1), 5 * swing_(t, 5, 0), 6 * swing_(t, 2, 2)}};
+  return mode_ ? orbit_at(mode_->head, wrapped(t)) * sways : sways;
 }
 
 Pose HandScript::T_world_marker(std::size_t hand, double t) const {
-  return kind_ == ScriptKind::hands ? held(hand, t - period * std::floor(t / period)) : turned(t);
+  if (mode_) return shown(hand, wrapped(t));
+  return kind_ == ScriptKind::hands ? held(hand, wrapped(t)) : turned(t);
+}
+
+Pose HandScript::shown(std::size_t hand, double t) const {
+  const Pose still = orbit_at(mode_->both, t) * paths_[hand].at(t);
+  const double p = 2.3 * static_cast<double>(hand);
+  const Quat leans = exp_so3({0.006 * swing_(t, 5, p), 0.006 * swing_(t, 4, p + 1), 0.006 * swing_(t, 7, p + 2)});
+  const Quat rotation = normalized(leans * still.rotation);
+  const Vec3 centre = still * centres_[hand] + tremor(swing_, hand, t);
+  return {rotation, centre - rotate(rotation, centres_[hand])};
 }
 
 Pose HandScript::held(std::size_t hand, double t) const {
-  const Quat rotation = normalized(turn(hand, t) * lean(hand, t));
-  return {rotation, place(hand, t) + sway(hand, t) - rotate(rotation, centres_[hand])};
+  const Quat rotation = normalized(turn(hand, t) * lean(swing_, hand, t));
+  return {rotation, place(hand, t) + sway(swing_, hand, t) - rotate(rotation, centres_[hand])};
 }
 
 Pose HandScript::turned(double t) const {
@@ -99,7 +127,8 @@ Pose HandScript::T_world_capsule(std::size_t hand, std::size_t capsule, double t
   const double side = hands() == 1 ? 1 : side_of(hand);
   const Shape& shape = rods_[hand]->spec().shape;
   const Pose stick = T_world_marker(hand, t);
-  const double grip = 0.78 + 0.12 * swing(t, 2, 0.8 + 2 * static_cast<double>(hand));
+  const double slide = mode_ ? 0 : 0.12 * swing_(t, 2, 0.8 + 2 * static_cast<double>(hand));
+  const double grip = 0.78 + slide;
   const CentrelinePoint held_at = shape.at(grip * shape.length());
   const Vec3 point = stick * held_at.position, along = rotate(stick.rotation, held_at.tangent);
   // The thumb lies on the side of the stick that faces the head, the forefinger behind it. Where the stick points at

@@ -33,7 +33,7 @@ const MarkerSpec& marker_of(const Catalog& catalog, std::optional<int> id, std::
 
 std::vector<std::unique_ptr<const Rod>> make_rods(const SyntheticOptions& options, const Catalog& catalog) {
   std::vector<std::unique_ptr<const Rod>> rods;
-  if (options.script == ScriptKind::hands) {
+  if (shows_two_hands(options.script)) {
     rods.push_back(std::make_unique<const Rod>(marker_of(catalog, options.first_id, 0)));
     rods.push_back(std::make_unique<const Rod>(marker_of(catalog, options.second_id, 1)));
   } else {
@@ -123,7 +123,7 @@ class SyntheticCamera : public Camera {
 
   std::size_t length() const override {
     if (options_.seconds > 0) return static_cast<std::size_t>(std::ceil(options_.seconds * options_.fps - 1e-6));
-    const bool turns = options_.script != ScriptKind::hands && options_.script != ScriptKind::still;
+    const bool turns = !shows_two_hands(options_.script) && options_.script != ScriptKind::still;
     return turns && !options_.live ? static_cast<std::size_t>(std::ceil(360 / options_.step_deg - 1e-6)) : 0;
   }
 

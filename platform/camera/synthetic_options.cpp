@@ -43,16 +43,35 @@ int small(std::string_view key, std::string_view value, int least, int most) {
   return static_cast<int>(whole(key, value, least, most));
 }
 
+constexpr std::array<std::pair<std::string_view, ScriptKind>, 14> scripts{{{"hands", ScriptKind::hands},
+                                                                           {"side", ScriptKind::side},
+                                                                           {"link", ScriptKind::link},
+                                                                           {"mirror", ScriptKind::mirror},
+                                                                           {"overlay", ScriptKind::overlay},
+                                                                           {"section", ScriptKind::section},
+                                                                           {"measure", ScriptKind::measure},
+                                                                           {"freeze", ScriptKind::freeze},
+                                                                           {"snapshot", ScriptKind::snapshot},
+                                                                           {"card", ScriptKind::card},
+                                                                           {"turn_x", ScriptKind::turn_x},
+                                                                           {"turn_y", ScriptKind::turn_y},
+                                                                           {"turn_z", ScriptKind::turn_z},
+                                                                           {"still", ScriptKind::still}}};
+
+/// "a, b or c".
+std::string known_scripts() {
+  std::string out;
+  for (std::size_t i = 0; i < scripts.size(); ++i) {
+    out += (i == 0 ? "" : i + 1 < scripts.size() ? ", " : " or ") + std::string(scripts[i].first);
+  }
+  return out;
+}
+
 ScriptKind script(std::string_view key, std::string_view value) {
-  constexpr std::array<std::pair<std::string_view, ScriptKind>, 5> known{{{"hands", ScriptKind::hands},
-                                                                          {"turn_x", ScriptKind::turn_x},
-                                                                          {"turn_y", ScriptKind::turn_y},
-                                                                          {"turn_z", ScriptKind::turn_z},
-                                                                          {"still", ScriptKind::still}}};
-  for (const auto& [name, kind] : known) {
+  for (const auto& [name, kind] : scripts) {
     if (name == value) return kind;
   }
-  refuse(key, value, "hands, turn_x, turn_y, turn_z or still");
+  refuse(key, value, known_scripts());
 }
 
 constexpr int most_id = 1'000'000'000;

@@ -59,7 +59,7 @@ TEST_F(Script, EachStickTurnsOnceAboutEachAxis) {
 }
 
 TEST_F(Script, SticksStayWithinReachAndChangePlaces) {
-  for (double t = 0; t < HandScript::period; t += 0.05) {
+  for (double t = 0; t < script_.period(); t += 0.05) {
     for (std::size_t hand = 0; hand < 2; ++hand) {
       const double distance = norm(T_camera_marker(hand, t) * script_.rod(hand).centre());
       ASSERT_GT(distance, 350) << t;
@@ -81,7 +81,7 @@ TEST_F(Script, SticksMeetButNeverTouch) {
     return least - 6;
   };
   double least = std::numeric_limits<double>::max(), meeting = least;
-  for (double t = 0; t < HandScript::period; t += 0.04) {
+  for (double t = 0; t < script_.period(); t += 0.04) {
     const double g = gap(t);
     least = std::min(least, g);
     if (t > 18.2 && t < 18.8) meeting = std::min(meeting, g);
