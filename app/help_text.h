@@ -51,10 +51,19 @@ inline constexpr const char* mode =
     "other; "
     "fresh: the newest picture, models predicted to it. Default: exposure";
 inline constexpr const char* seconds = "Stop after S seconds. Default: never";
+inline constexpr const char* log =
+    "Where the session is written down, so that --replay can show it again; none for nowhere. Default: session.jsonl "
+    "among "
+    "the pictures, or for a window the ten newest in ~/.local/state/onestroke/sessions";
+inline constexpr const char* replay =
+    "Show a session again from its log: the same frames with the same poses, and the camera's pictures where it can "
+    "give "
+    "them again; --camera names another one";
 inline constexpr const char* run_examples = R"(Examples:
   onestroke run
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
+  onestroke run --replay session.jsonl --display offscreen:again
 
 Keys in a window: L links the two models or parts them again, H hides words and figures, Space pauses, Q or Escape ends.)";
 
