@@ -12,12 +12,20 @@ std::filesystem::path named_by(const char* variable) {
   return folder.is_absolute() ? folder : std::filesystem::path();
 }
 
+std::filesystem::path own_folder(const char* variable, const std::filesystem::path& otherwise) {
+  if (const auto folder = named_by(variable); !folder.empty()) return folder / "onestroke";
+  if (const auto home = named_by("HOME"); !home.empty()) return home / otherwise / "onestroke";
+  return {};
+}
+
 }  // namespace
 
 std::filesystem::path cache_folder() {
-  if (const auto folder = named_by("XDG_CACHE_HOME"); !folder.empty()) return folder / "onestroke";
-  if (const auto home = named_by("HOME"); !home.empty()) return home / ".cache" / "onestroke";
-  return {};
+  return own_folder("XDG_CACHE_HOME", ".cache");
+}
+
+std::filesystem::path state_folder() {
+  return own_folder("XDG_STATE_HOME", ".local/state");
 }
 
 }  // namespace onestroke

@@ -7,5 +7,7 @@ namespace onestroke {
 /// Where the program keeps what it can make again: $XDG_CACHE_HOME/onestroke, else ~/.cache/onestroke. Empty where the
 /// environment names no such place; it need not be there.
 std::filesystem::path cache_folder();
+/// Where it keeps what it has done, by the same rules: $XDG_STATE_HOME/onestroke, else ~/.local/state/onestroke.
+std::filesystem::path state_folder();
 
 }  // namespace onestroke

@@ -97,6 +97,11 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("--seconds", options.seconds, help::seconds)
       ->type_name("S")
       ->check(number_between(1e-3, 1e6, " seconds"));
+  run.add_option("--log", options.log, help::log)->type_name("FILE|none")->check(not_empty());
+  auto* replay = run.add_option("--replay", options.replay, help::replay)->type_name("FILE")->check(not_empty());
+  for (const char* fixed :
+       {"--fov", "--calibration", "--readout-ms", "--stereo", "--no-fingers", "--catalog", "--mode", "--log"})
+    replay->excludes(run.get_option(fixed));
 }
 
 void add_track(CLI::App& program, TrackOptions& options) {
@@ -211,7 +216,10 @@ Command parse_command_line(std::vector<std::string> arguments) {
     return program.track;
   }
   if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");
-  check_lens_known(program, program.run.source);
+  if (program.run.replay.empty())
+    check_lens_known(program, program.run.source);
+  else if (program.app.get_subcommand("run")->count("--camera") == 0)
+    program.run.source.camera.clear();
   return program.run;
 }
 

@@ -28,6 +28,9 @@ struct RunOptions {
   PictureTime mode = PictureTime::exposure;
   std::optional<int> frames;      ///< Stop after so many pictures.
   std::optional<double> seconds;  ///< Stop after so long.
+  std::string log;                ///< A file for the session's log, or none; empty for where it usually goes.
+  /// The log of a session to be shown again, whose camera is taken where `source` names none; empty for a new session.
+  std::filesystem::path replay;
 };
 
 struct TrackOptions {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/command_line.h"
+#include "app/feed.h"
 #include "core/tracked_frame.h"
 #include "tracking/tracking_thread.h"
 
@@ -11,31 +12,20 @@ namespace onestroke {
 /// The poses of a record, carried on to a picture by their velocities, 100 ms at most.
 void predict_record(const FrameRecord& from, const Picture& to, FrameRecord& predicted);
 
-/// Decides which picture a frame shows, and which poses belong to it. One thread; allocates nothing after the
-/// constructor.
-class FrameFeed {
+/// What is tracked while it is shown. Allocates nothing after the constructor.
+class FrameFeed final : public Feed {
  public:
-  enum class Pace {
-    newest,       ///< a device: the newest picture
-    at_its_time,  ///< a recording on a screen: each picture when its time has come
-    each,         ///< a recording into files: one picture a frame, waited for
-  };
-
   /// `fresh` has an effect at the pace `newest` alone: elsewhere every picture is tracked before it is shown.
   FrameFeed(TrackingThread& tracking, Pace pace, PictureTime mode);
 
-  enum class Next { same, picture, end };
-  /// The next frame, to be seen at `display_time`: shows the same picture again, or another one, or there will be none
-  /// any more. `stop` ends the wait of pace `each`.
-  Next advance(Time display_time, bool (*stop)());
-
-  /// Of the last Next::picture; empty once it has been taken.
-  PictureHandle take_picture() { return std::move(picture_); }
-  const FrameRecord& record() const { return *shown_; }
-  /// The time that the frame shows, in the record's time; does not go back.
-  Time now() const { return now_; }
-  /// A pause: a recording goes on as if no time had passed.
-  void hold() { held_ = true; }
+  Next advance(Time display_time, bool (*stop)()) override;
+  PictureHandle take_picture() override { return std::move(picture_); }
+  const FrameRecord& record() const override { return *shown_; }
+  Time now() const override { return now_; }
+  void hold() override { held_ = true; }
+  Pace pace() const override { return pace_; }
+  std::uint64_t left_out() const override { return tracking_.pictures_dropped() + tracking_.frames_dropped(); }
+  std::string message() const override { return tracking_.finished() ? tracking_.message() : std::string(); }
 
  private:
   Next advance_newest();

@@ -51,11 +51,20 @@ inline constexpr const char* mode =
     "other; "
     "fresh: the newest picture, models predicted to it. Default: exposure";
 inline constexpr const char* seconds = "Stop after S seconds. Default: never";
+inline constexpr const char* log =
+    "Where the session is written down, so that --replay can show it again; none for nowhere. Default: session.jsonl "
+    "among "
+    "the pictures, or for a window the ten newest in ~/.local/state/onestroke/sessions";
+inline constexpr const char* replay =
+    "Show a session again from its log: the same frames with the same poses, and the camera's pictures where it can "
+    "give "
+    "them again; --camera names another one";
 inline constexpr const char* run_examples = R"(Examples:
   onestroke run
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
   onestroke run --camera synthetic:script=overlay,fingers=1
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
+  onestroke run --replay session.jsonl --display offscreen:again
 
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
 section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.

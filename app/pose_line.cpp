@@ -9,11 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* word(MarkerState state) {
-  constexpr const char* words[] = {"measured", "predicted", "lost"};
-  return words[static_cast<int>(state)];
-}
-
 Json numbers(Vec3 v) {
   return {v.x, v.y, v.z};
 }
@@ -36,12 +31,17 @@ Json object(const MarkerObservation& marker) {
           {"t", numbers(pose.translation)},
           {"covariance", marker.covariance},
           {"cells_seen", marker.cells_seen},
-          {"state", word(marker.state)},
+          {"state", word_of(marker.state)},
           {"cell_centres", cell_centres(marker)},
           {"velocity", {{"angular", numbers(marker.velocity.angular)}, {"linear", numbers(marker.velocity.linear)}}}};
 }
 
 }  // namespace
+
+const char* word_of(MarkerState state) {
+  constexpr const char* words[] = {"measured", "predicted", "lost"};
+  return words[static_cast<int>(state)];
+}
 
 std::string picture_name(const Picture& picture) {
   if (*picture.source != '\0') return picture.source;

@@ -1,8 +1,11 @@
 #include "app/run_command.h"
 
 #include "app/cache_folder.h"
+#include "app/frame_feed.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/replay_feed.h"
+#include "app/session_options.h"
 #include "app/show.h"
 #include "app/source.h"
 #include "core/error.h"
@@ -11,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ostream>
+#include <iostream>
 
 namespace onestroke {
 namespace {
@@ -24,6 +27,8 @@ constexpr const char* plain_synthetic = "synthetic";
 constexpr const char* demo_camera = "synthetic:fingers=1,noise=2,blur=0.5";
 // What two hands do before the synthetic camera, once.
 constexpr double script_seconds = 24;
+// How many frames a second a film has of what was shown on a screen.
+constexpr double screen_rate = 60;
 
 bool set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -64,15 +69,20 @@ DisplayOptions display_options(const RunOptions& options, bool offscreen, double
   return display;
 }
 
-FrameFeed::Pace pace_for(const Camera& camera, bool offscreen) {
-  if (camera.live()) return FrameFeed::Pace::newest;
-  return offscreen ? FrameFeed::Pace::each : FrameFeed::Pace::at_its_time;
+Feed::Pace pace_for(const Camera& camera, bool offscreen) {
+  if (camera.live()) return Feed::Pace::newest;
+  return offscreen ? Feed::Pace::each : Feed::Pace::at_its_time;
 }
 
-ShowLimits limits_for(const RunOptions& options, const Camera& camera, bool offscreen) {
+ShowLimits limits_for(const RunOptions& options) {
   ShowLimits limits;
   if (options.frames) limits.pictures = static_cast<std::size_t>(*options.frames);
   if (options.seconds) limits.length = Duration::from_seconds(*options.seconds);
+  return limits;
+}
+
+ShowLimits limits_for(const RunOptions& options, const Camera& camera, bool offscreen) {
+  ShowLimits limits = limits_for(options);
   // A folder would fill for ever.
   const bool endless = camera.length() == 0 && !camera.live() && !options.frames && !options.seconds;
   if (endless && offscreen) limits.pictures = static_cast<std::size_t>(std::lround(script_seconds * camera.rate()));
@@ -94,46 +104,123 @@ void finish_all_the_same(Display& display) noexcept {
   }
 }
 
+/// Where a show is to be seen, and whatever it shows.
+struct Stage {
+  Catalog catalog;
+  std::string spec;
+  bool offscreen = false;
+  std::unique_ptr<Display> display{};
+  std::unique_ptr<Graphics> graphics{};
+};
+
+Stage prepare(const RunOptions& options) {
+  const std::string spec = display_spec(options);
+  return {.catalog = load_catalog(options.catalog), .spec = spec, .offscreen = spec.starts_with("offscreen")};
+}
+
+void open(Stage& stage, const RunOptions& options, double rate) {
+  stage.display = open_display(stage.spec, display_options(options, stage.offscreen, rate));
+  stage.graphics = std::make_unique<Graphics>(
+      *stage.display,
+      Graphics::Wanted{
+          .catalog = stage.catalog,
+          .catalog_file = options.catalog,
+          // A window shows how far the models are; files would show it for ever.
+          .models_first = stage.offscreen,
+          .gpu = {.validation = set("ONESTROKE_VALIDATION"), .gpu = options.gpu, .cache_folder = cache_folder()}});
+}
+
+/// The show from its first frame to its last.
+struct Play {
+  Feed& feed;
+  ShowLimits limits;
+  std::size_t expected = 0;  ///< Pictures; 0 where that is not known.
+  SessionLog* log = nullptr;
+};
+
+void play(Stage& stage, const Play& what, bool fingers, std::ostream& out) {
+  Display& display = *stage.display;
+  try {
+    Progress progress(!stage.offscreen);
+    Show show({display, *stage.graphics, what.feed, what.log}, fingers);
+    show.run(what.limits, [&](std::size_t pictures) { progress.say(pictures, what.expected, " shown"); });
+  } catch (const std::exception&) {
+    finish_all_the_same(display);
+    throw;
+  }
+  display.finish();
+  for (const std::string& line : display.report()) out << line << '\n';
+}
+
+void flush(std::ostream& out) {
+  if (!out.flush())
+    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
+}
+
+void say(const std::string& line) {
+  std::cerr << "onestroke: " << line << '\n';
+}
+
+/// Ends the log. A log that somebody asked for must be whole.
+void finish(SessionLog& log, bool asked_for, std::ostream& out) {
+  log.close();
+  if (log.failure().empty())
+    out << "wrote " << log.file().string() << "; `onestroke run --replay` shows it again\n";
+  else if (asked_for)
+    throw Error(log.failure());
+  else
+    say(log.failure());
+}
+
+int run_live(RunOptions options, std::ostream& out) {
+  Stage stage = prepare(options);
+  options.source = source_for(options.source, stage.offscreen);
+  const std::unique_ptr<Camera> camera = open_source(options.source, stage.catalog);
+  const double rate = camera->rate() > 0 ? camera->rate() : 30;
+  open(stage, options, rate);
+  const ShowLimits limits = limits_for(options, *camera, stage.offscreen);
+
+  catch_interrupt();
+  const std::unique_ptr<SessionLog> log =
+      open_session_log(options, stage.spec, session_header(options, stage.offscreen ? rate : 0));
+  Tracker tracker(stage.catalog);
+  const Feed::Pace pace = pace_for(*camera, stage.offscreen);
+  TrackingThread tracking(*camera, tracker,
+                          pace == Feed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
+  FrameFeed feed(tracking, pace, options.mode);
+  play(stage, {feed, limits, pictures_expected(limits, *camera), log.get()}, options.fingers, out);
+  if (log) finish(*log, !options.log.empty(), out);
+  flush(out);
+  if (!feed.message().empty()) throw Error(feed.message());
+  return 0;
+}
+
+int run_again(const RunOptions& given, std::ostream& out) {
+  SessionReader session(given.replay);
+  const RunOptions options = replay_options(session.header(), given);
+  Stage stage = prepare(options);
+  const std::unique_ptr<Camera> camera = open_replay_camera(given, options, stage.catalog);
+  open(stage, options, session.header().rate > 0 ? session.header().rate : screen_rate);
+
+  catch_interrupt();
+  ReplayFeed feed(session, camera.get());
+  play(stage, {feed, limits_for(options)}, options.fingers, out);
+  flush(out);
+  if (!feed.message().empty()) throw Error(feed.message());
+  if (!session.note().empty()) say(session.note());
+  if (camera && feed.dark_pictures() > 0)
+    say("the camera lacks " + std::to_string(feed.dark_pictures()) +
+        " of the session's pictures, and dark ones stand for them");
+  return 0;
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options, std::ostream& out) {
-  const fs::path file = catalog_file(options);
-  const Catalog catalog = load_catalog(file);
-  const std::string spec = display_spec(options);
-  const bool offscreen = spec.starts_with("offscreen");
-  const std::unique_ptr<Camera> camera = open_source(source_for(options.source, offscreen), catalog);
-  const double rate = camera->rate() > 0 ? camera->rate() : 30;
-  const std::unique_ptr<Display> display = open_display(spec, display_options(options, offscreen, rate));
-  Graphics graphics(
-      *display,
-      {.catalog = catalog,
-       .catalog_file = file,
-       // A window shows how far the models are; files would show it for ever.
-       .models_first = offscreen,
-       .gpu = {.validation = set("ONESTROKE_VALIDATION"), .gpu = options.gpu, .cache_folder = cache_folder()}});
-  const ShowLimits limits = limits_for(options, *camera, offscreen);
-  const std::size_t expected = pictures_expected(limits, *camera);
-
-  catch_interrupt();
-  Tracker tracker(catalog);
-  const FrameFeed::Pace pace = pace_for(*camera, offscreen);
-  TrackingThread tracking(
-      *camera, tracker,
-      pace == FrameFeed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
-  try {
-    Progress progress(!offscreen);
-    Show show({*display, graphics, tracking}, pace, options.mode, options.fingers);
-    show.run(limits, [&](std::size_t pictures) { progress.say(pictures, expected, " shown"); });
-  } catch (const std::exception&) {
-    finish_all_the_same(*display);
-    throw;
-  }
-  display->finish();
-  for (const std::string& line : display->report()) out << line << '\n';
-  if (!out.flush())
-    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
-  if (tracking.finished() && !tracking.message().empty()) throw Error(tracking.message());
-  return 0;
+  if (!options.replay.empty()) return run_again(options, out);
+  RunOptions whole = options;
+  whole.catalog = catalog_file(options);
+  return run_live(std::move(whole), out);
 }
 
 }  // namespace onestroke

@@ -8,15 +8,13 @@
 
 namespace onestroke {
 
-Show::Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode, bool fingers)
+Show::Show(const Parts& parts, bool fingers)
     : parts_(parts),
       fingers_(fingers),
-      clocked_(pace == FrameFeed::Pace::newest),
-      feed_(parts.tracking, pace, mode),
       hands_(parts.graphics.shelf()),
       covered_(parts.graphics.shelf()),
-      hud_words_(pace != FrameFeed::Pace::each),
-      status_(pace != FrameFeed::Pace::each) {}
+      hud_words_(parts.feed.pace() != Feed::Pace::each),
+      status_(parts.feed.pace() != Feed::Pace::each) {}
 
 void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say) {
   Display& display = parts_.display;
@@ -24,20 +22,27 @@ void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pi
   Time began;
   bool going = true, again = false;
   for (std::size_t pictures = 0, frames = 0; (going || again) && !display.closed() && !interrupted(); ++frames) {
-    for (const Key key : display.poll()) going = press(key) && going;
+    for (const Key key : display.poll()) {
+      if (parts_.log) parts_.log->press(key);
+      going = press(key) && going;
+    }
     display.begin(frame);
     if (frames == 0) began = frame.time;
-    FrameFeed::Next next = FrameFeed::Next::same;
-    if (!again && !paused_) next = feed_.advance(frame.time, interrupted);
-    const bool over = !again && (next == FrameFeed::Next::end || frame.time - began >= limits.length);
+    Feed::Next next = Feed::Next::same;
+    const bool goes_on = !again && !paused_;
+    if (goes_on) next = parts_.feed.advance(frame.time, interrupted);
+    const bool over = !again && (next == Feed::Next::end || frame.time - began >= limits.length);
     if (over) {
       frame.should_render = going = false;
-    } else if (next == FrameFeed::Next::picture) {
+    } else if (next == Feed::Next::picture) {
       take_picture();
       say(++pictures);
       going = going && pictures < limits.pictures;
     }
-    show(frame, next == FrameFeed::Next::picture);
+    if (goes_on && !over)
+      for (const Key key : parts_.feed.keys()) press(key);
+    show(frame, next == Feed::Next::picture);
+    if (!again && !over) write_down(next == Feed::Next::picture);
     // A frame that went with the GPU is drawn once more.
     again = !over && lost();
     if (again) recover(frame.time);
@@ -64,7 +69,7 @@ void Show::recover(Time now) {
   lost_at_ = now;
   parts_.graphics.rebuild();
   hands_.shelf_is_new();
-  if (picture_) parts_.graphics.renderer().set_picture(*picture_, covered_.find(feed_.record(), *picture_));
+  if (picture_) parts_.graphics.renderer().set_picture(*picture_, covered_.find(parts_.feed.record(), *picture_));
 }
 
 bool Show::press(Key key) {
@@ -73,15 +78,24 @@ bool Show::press(Key key) {
   if (key == Key{'h'}) hands_.toggle_words();
   if (key == Key::space) {
     paused_ = !paused_;
-    feed_.hold();
+    parts_.feed.hold();
   }
   return key != Key{'q'} && key != Key::escape;
 }
 
 void Show::take_picture() {
-  picture_ = feed_.take_picture();
-  parts_.graphics.renderer().set_picture(*picture_, covered_.find(feed_.record(), *picture_));
-  lens_ = {picture_->intrinsics, picture_->width, picture_->height, picture_->T_world_camera};
+  picture_ = parts_.feed.take_picture();
+  parts_.graphics.renderer().set_picture(*picture_, covered_.find(parts_.feed.record(), *picture_));
+  lens_ = {picture_->width, picture_->height, picture_->intrinsics};
+  T_world_camera_ = picture_->T_world_camera;
+}
+
+void Show::write_down(bool new_picture) {
+  if (!parts_.log) return;
+  const bool linked = hands_.comparison().linked;
+  if (linked != was_linked_) parts_.log->happened(linked ? "Link" : "Part");
+  was_linked_ = linked;
+  parts_.log->add(parts_.feed.record(), parts_.feed.now(), new_picture, lens_);
 }
 
 // Without a head to follow, the eye stands where the camera stood, and sees what the camera saw.
@@ -90,18 +104,19 @@ void Show::stand_at_camera(FrameInfo& frame) const {
   for (int i = 0; i < frame.view_count; ++i) {
     View& view = frame.views[static_cast<std::size_t>(i)];
     // A pair of eyes stays apart.
-    view.T_world_view = lens_.T_world_camera * view.T_world_view;
+    view.T_world_view = T_world_camera_ * view.T_world_view;
     view.fov = fov_to_fit(lens_.intrinsics, lens_.width, lens_.height, view.viewport);
   }
 }
 
 void Show::measure(const FrameInfo& frame, bool new_picture) {
-  const FrameRecord& record = feed_.record();
+  const FrameRecord& record = parts_.feed.record();
   std::optional<Duration> age;
-  if (clocked_ && record.time.ns != 0) age = frame.time - record.time;
+  // A device's pictures come with the time on the display's clock.
+  if (parts_.feed.pace() == Feed::Pace::newest && record.time.ns != 0) age = frame.time - record.time;
   meter_.update({.record = record,
                  .new_picture = new_picture,
-                 .left_out = parts_.tracking.pictures_dropped() + parts_.tracking.frames_dropped(),
+                 .left_out = parts_.feed.left_out(),
                  .age = age,
                  .now = Time::now()});
 }
@@ -110,11 +125,11 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   stand_at_camera(frame);
   parts_.graphics.shelf().update();
   measure(frame, new_picture);
-  const FrameRecord& record = feed_.record();
+  const FrameRecord& record = parts_.feed.record();
   // A panel on a desk; before the eyes a line is enough.
   const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
   const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
-  FrameScene scene = hands_.update(record, feed_.now(), frame.seen(), status);
+  FrameScene scene = hands_.update(record, parts_.feed.now(), frame.seen(), status);
   scene.fingers = fingers_;
   if (desktop && hands_.words()) {
     hud_words_.update(record, meter_.figures());

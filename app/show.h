@@ -2,9 +2,10 @@
 
 #include "app/covered_cells.h"
 #include "app/desktop_hud.h"
-#include "app/frame_feed.h"
+#include "app/feed.h"
 #include "app/frame_meter.h"
 #include "app/graphics.h"
+#include "app/session_log.h"
 #include "app/status_line.h"
 #include "app/two_hands.h"
 #include "render/display.h"
@@ -33,37 +34,30 @@ class Show {
   struct Parts {
     Display& display;
     Graphics& graphics;
-    TrackingThread& tracking;
+    Feed& feed;
+    SessionLog* log = nullptr;  ///< Where the show is written down, if anywhere.
   };
 
   /// fingers: whether those that hold a stick are shown before the model behind them.
-  Show(const Parts& parts, FrameFeed::Pace pace, PictureTime mode, bool fingers = true);
+  explicit Show(const Parts& parts, bool fingers = true);
 
   /// Until the feed or a limit ends it, the display closes, or somebody asks. `say` hears how many pictures were shown.
   /// Throws Error where the GPU cannot go on, or was lost for the second time within a short while.
   void run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say);
 
  private:
-  /// What a picture says of its camera.
-  struct Lens {
-    Intrinsics intrinsics;
-    int width = 0, height = 0;
-    Pose T_world_camera;
-  };
-
   bool press(Key key);
   bool draw(FrameInfo& frame, bool new_picture);
   void show(FrameInfo& frame, bool new_picture);
   bool lost() const;
   void recover(Time now);
   void take_picture();
+  void write_down(bool new_picture);
   void stand_at_camera(FrameInfo& frame) const;
   void measure(const FrameInfo& frame, bool new_picture);
 
   Parts parts_;
   const bool fingers_;
-  const bool clocked_;  // pictures come with the time on the display's clock
-  FrameFeed feed_;
   TwoHands hands_;
   CoveredCells covered_;
   FrameMeter meter_;
@@ -71,9 +65,11 @@ class Show {
   DesktopHud hud_;
   StatusLine status_;
   PictureHandle picture_;  // the one that is shown, for a GPU that has not seen it
-  Lens lens_;
+  // What it says of its camera.
+  PictureLens lens_;
+  Pose T_world_camera_;
   std::optional<Time> lost_at_;
-  bool paused_ = false;
+  bool paused_ = false, was_linked_ = false;
 };
 
 }  // namespace onestroke

@@ -103,15 +103,11 @@ class SyntheticCamera : public Camera {
     PictureHandle::Loan* loan = pool_.acquire();
     if (!loan) return Status::busy;
     const Duration span = frame_.effects.exposure + frame_.effects.readout;
-    Duration moment = since_start(next_);
-    Time start{moment.ns};
-    if (options_.live) {
-      start = wait_for_turn() - span;
-      moment = start - began_;
-    }
-    pose_frame(moment, span);
+    const Time turn = options_.live ? wait_for_turn() - span : Time{since_start(next_).ns};
+    // By its number, so that a live picture can be made again.
+    pose_frame(since_start(next_), span);
     draw(*loan);
-    fill(loan->picture, start);
+    fill(loan->picture, turn);
     picture = PictureHandle(*loan);
     ++next_;
     return Status::ok;

@@ -1,5 +1,6 @@
 // The desktop's figures as they look, and where a show has them.
 #include "app/desktop_hud.h"
+#include "app/frame_feed.h"
 #include "app/show.h"
 #include "camera/open_camera.h"
 #include "golden/solids.h"
@@ -111,7 +112,8 @@ std::vector<golden::Picture> watch(const WatchedDisplay::Wanted& wanted) {
   Graphics graphics(display, {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
   Tracker tracker(catalog);
   TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
-  Show show({display, graphics, tracking}, FrameFeed::Pace::each, PictureTime::exposure);
+  FrameFeed feed(tracking, Feed::Pace::each, PictureTime::exposure);
+  Show show({display, graphics, feed});
   show.run({.pictures = 6}, [](std::size_t) {});
   return std::move(display.pictures);
 }

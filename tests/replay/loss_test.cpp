@@ -1,4 +1,5 @@
 // The GPU is lost in the middle of a show, which goes on: every picture is shown, in its place, as if nothing had been.
+#include "app/frame_feed.h"
 #include "app/show.h"
 #include "camera/open_camera.h"
 #include "core/error.h"
@@ -44,7 +45,8 @@ class Loss : public testing::Test {
                   .gpu = {.validation = true, .validation_messages = &validation_messages, .rehearsal = &rehearsal}});
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
-    Show show({display, graphics, tracking}, FrameFeed::Pace::each, PictureTime::exposure);
+    FrameFeed feed(tracking, Feed::Pace::each, PictureTime::exposure);
+    Show show({display, graphics, feed});
     shown = 0;
     try {
       show.run({.pictures = pictures_in_all}, [&](std::size_t pictures) {

@@ -1,5 +1,6 @@
 // The render loop allocates nothing once warm. Counts every `new` of the loop's thread, so it is a program of its own.
 #include "allocation/allocation_counter.h"
+#include "app/frame_feed.h"
 #include "app/show.h"
 #include "camera/open_camera.h"
 #include "display/offscreen.h"
@@ -40,7 +41,9 @@ TEST(Show, AllocatesNothingOnceWarm) {
     make_room_for_words(display, graphics.renderer());
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
-    Show show({display, graphics, tracking}, FrameFeed::Pace::each, PictureTime::exposure);
+    FrameFeed feed(tracking, Feed::Pace::each, PictureTime::exposure);
+    SessionLog log(testing::TempDir() + "onestroke-show-allocation.jsonl", {});
+    Show show({display, graphics, feed, &log});
     std::size_t shown = 0;
     long before = 0;
     show.run({.pictures = 40}, [&](std::size_t pictures) {
@@ -49,6 +52,9 @@ TEST(Show, AllocatesNothingOnceWarm) {
     });
     EXPECT_EQ(allocations_of_this_thread(), before);
     EXPECT_EQ(shown, 40u);
+    log.close();
+    EXPECT_EQ(log.failure(), "");
+    std::filesystem::remove(log.file());
   }
 }
 

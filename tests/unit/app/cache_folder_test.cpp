@@ -45,6 +45,16 @@ TEST(CacheFolder, IsWhereTheDesktopsRulesSay) {
   EXPECT_EQ(folder_for("not/absolute", "/home/a"), "/home/a/.cache/onestroke");
 }
 
+TEST(StateFolder, IsWhereTheDesktopsRulesSay) {
+  const Variable home("HOME", "/home/a");
+  {
+    const Variable state("XDG_STATE_HOME", "/states");
+    EXPECT_EQ(state_folder(), "/states/onestroke");
+  }
+  const Variable none("XDG_STATE_HOME", nullptr);
+  EXPECT_EQ(state_folder(), "/home/a/.local/state/onestroke");
+}
+
 TEST(CacheFolder, IsNoneWhereNothingNamesOne) {
   EXPECT_EQ(folder_for(nullptr, nullptr), "");
   EXPECT_EQ(folder_for("", "home"), "");

@@ -71,6 +71,20 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.seconds, 2.5);
 }
 
+TEST(CommandLine, RunWritesASessionDownOrShowsItAgain) {
+  EXPECT_EQ(parsed<RunOptions>("run").log, "");
+  EXPECT_EQ(parsed<RunOptions>("run --log none").log, "none");
+  EXPECT_TRUE(parsed<RunOptions>("run --log a.jsonl").replay.empty());
+  const auto again = parsed<RunOptions>("run --replay a.jsonl --display offscreen:a --gpu 1 --frames 3 --seconds 2");
+  EXPECT_EQ(again.replay, "a.jsonl");
+  EXPECT_EQ(again.source.camera, "") << "the log knows";
+  EXPECT_EQ(parsed<RunOptions>("run --replay a.jsonl --camera file:b.mp4").source.camera, "file:b.mp4");
+  for (const std::string fixed : {"--fov 60", "--calibration l.yaml", "--readout-ms 3", "--stereo", "--no-fingers",
+                                  "--catalog c.db", "--mode fresh", "--log b.jsonl"})
+    EXPECT_THAT(refusal("run --replay a.jsonl " + fixed),
+                AllOf(HasSubstr("--replay excludes " + fixed.substr(0, fixed.find(' '))), HasSubstr("run --help")));
+}
+
 TEST(CommandLine, TrackTakesEveryOption) {
   const auto track = parsed<TrackOptions>(
       "track --camera=folder:a,b=c:d --calibration lens.yaml --readout-ms 0 --catalog c.json --output p.jsonl "

@@ -22,7 +22,7 @@ bool always() {
   return true;
 }
 
-class Feed : public testing::Test {
+class FeedTest : public testing::Test {
  protected:
   void start(std::size_t pictures, TrackingThread::Pacing pacing) {
     camera.emplace(pictures);
@@ -42,7 +42,7 @@ class Feed : public testing::Test {
   std::optional<TrackingThread> tracking;
 };
 
-TEST_F(Feed, EachPictureIsAFrame) {
+TEST_F(FeedTest, EachPictureIsAFrame) {
   start(20, TrackingThread::Pacing::every);
   FrameFeed feed(*tracking, FrameFeed::Pace::each, PictureTime::fresh);
   for (std::uint64_t i = 0; i < 20; ++i) {
@@ -56,7 +56,7 @@ TEST_F(Feed, EachPictureIsAFrame) {
   EXPECT_EQ(feed.advance(at_ms(1000), never), Next::end);
 }
 
-TEST_F(Feed, WaitingForAPictureCanBeStopped) {
+TEST_F(FeedTest, WaitingForAPictureCanBeStopped) {
   CountingCamera starved(5, 1);
   PictureHandle held;
   ASSERT_EQ(starved.next(held), Camera::Status::ok);
@@ -66,7 +66,7 @@ TEST_F(Feed, WaitingForAPictureCanBeStopped) {
   tracking.reset();
 }
 
-TEST_F(Feed, ARecordingComesAtItsOwnPace) {
+TEST_F(FeedTest, ARecordingComesAtItsOwnPace) {
   start(6, TrackingThread::Pacing::every);  // a picture every 10 ms
   FrameFeed feed(*tracking, FrameFeed::Pace::at_its_time, PictureTime::exposure);
   ASSERT_EQ(until_not_same(feed, at_ms(5000)), Next::picture);
@@ -89,7 +89,7 @@ TEST_F(Feed, ARecordingComesAtItsOwnPace) {
   EXPECT_EQ(until_not_same(feed, at_ms(6050)), Next::end);
 }
 
-TEST_F(Feed, OfADevicesPicturesTheNewestIsShown) {
+TEST_F(FeedTest, OfADevicesPicturesTheNewestIsShown) {
   start(200, TrackingThread::Pacing::newest);
   FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::exposure);
   std::int64_t last = -1;
@@ -102,7 +102,7 @@ TEST_F(Feed, OfADevicesPicturesTheNewestIsShown) {
   }
 }
 
-TEST_F(Feed, FreshShowsAPictureAtMostAsOldAsItsRecord) {
+TEST_F(FeedTest, FreshShowsAPictureAtMostAsOldAsItsRecord) {
   start(200, TrackingThread::Pacing::newest);
   FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::fresh);
   Time shown;

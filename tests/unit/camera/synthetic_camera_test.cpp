@@ -152,6 +152,18 @@ TEST_F(Synthetic, LiveStampsRealTimes) {
   }
 }
 
+TEST_F(Synthetic, ALivePictureCanBeMadeAgainByItsNumber) {
+  const std::string scene = "width=64,height=48,fps=100,exposure_ms=3,readout_ms=2,fingers=1,noise=2";
+  const auto live = open(scene + ",live=1"), again = open(scene);
+  for (int i = 0; i < 4; ++i) {
+    const PictureHandle p = take(*live);
+    PictureHandle q = take(*again);
+    while (q->sequence < p->sequence) q = take(*again);
+    ASSERT_EQ(q->sequence, p->sequence);
+    EXPECT_TRUE(std::equal(p->planes[0], p->planes[0] + 3 * 64 * 48, q->planes[0])) << "picture " << p->sequence;
+  }
+}
+
 TEST_F(Synthetic, FieldOfViewAndReadoutOfTheCommandLineCount) {
   CameraOptions options;
   options.spec = "synthetic:width=800,height=600";

@@ -1,0 +1,99 @@
+#include "app/session_options.h"
+
+#include "app/cache_folder.h"
+#include "app/session_files.h"
+#include "app/source.h"
+#include "core/error.h"
+
+#include <ctime>
+#include <iostream>
+#include <string_view>
+
+namespace onestroke {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path whole_path(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path whole = path.empty() ? path : fs::absolute(path, unknown);
+  return unknown ? path : whole.lexically_normal();
+}
+
+/// So that it is found from any folder.
+std::string whole_camera(const std::string& camera) {
+  for (const std::string_view kind : {"file:", "folder:"})
+    if (camera.starts_with(kind)) return std::string(kind) + whole_path(camera.substr(kind.size())).string();
+  return camera;
+}
+
+/// What was live is a recording now: each picture can be had, however long it takes.
+std::string not_live(std::string camera) {
+  constexpr std::string_view live = "live=1";
+  if (const std::size_t at = camera.find(live); camera.starts_with("synthetic") && at != std::string::npos)
+    camera[at + live.size() - 1] = '0';
+  return camera;
+}
+
+void say(const std::string& line) {
+  std::cerr << "onestroke: " << line << '\n';
+}
+
+std::unique_ptr<SessionLog> open_usual_log(const SessionHeader& header) {
+  try {
+    const fs::path state = state_folder();
+    if (state.empty()) throw Error("neither XDG_STATE_HOME nor HOME says where it could go");
+    return std::make_unique<SessionLog>(new_session_file(state / "sessions", std::time(nullptr)), header);
+  } catch (const Error& error) {
+    say("this session is not logged: " + std::string(error.what()) + "; --log none does without");
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+SessionHeader session_header(const RunOptions& options, double rate) {
+  const SourceOptions& source = options.source;
+  return {.program = ONESTROKE_VERSION,
+          .camera = whole_camera(source.camera),
+          .catalog = whole_path(options.catalog).string(),
+          .fov_deg = source.fov_deg,
+          .calibration = whole_path(source.calibration).string(),
+          .readout_ms = source.readout_ms,
+          .rate = rate,
+          .stereo = options.stereo,
+          .fingers = options.fingers};
+}
+
+RunOptions replay_options(const SessionHeader& header, const RunOptions& given) {
+  RunOptions options = given;
+  if (options.source.camera.empty()) options.source.camera = not_live(header.camera);
+  options.source.fov_deg = header.fov_deg;
+  options.source.calibration = header.calibration;
+  options.source.readout_ms = header.readout_ms;
+  options.catalog = header.catalog;
+  options.stereo = header.stereo;
+  options.fingers = header.fingers;
+  return options;
+}
+
+std::unique_ptr<SessionLog> open_session_log(const RunOptions& options, const std::string& display,
+                                             const SessionHeader& header) {
+  constexpr std::string_view offscreen = "offscreen:";
+  if (options.log == "none") return nullptr;
+  if (!options.log.empty()) return std::make_unique<SessionLog>(options.log, header);
+  if (!display.starts_with(offscreen)) return open_usual_log(header);
+  return std::make_unique<SessionLog>(fs::path(display.substr(offscreen.size())) / "session.jsonl", header);
+}
+
+std::unique_ptr<Camera> open_replay_camera(const RunOptions& given, const RunOptions& options, const Catalog& catalog) {
+  try {
+    return open_source(options.source, catalog);
+  } catch (const Error& error) {
+    if (!given.source.camera.empty()) throw;
+    say(std::string(error.what()) + "; dark pictures stand for the session's own, unless --camera names others");
+    return nullptr;
+  }
+}
+
+}  // namespace onestroke
