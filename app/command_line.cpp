@@ -86,6 +86,8 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_flag("--stereo", options.stereo, help::stereo);
   run.add_flag_callback(
       "--no-fingers", [&options] { options.fingers = false; }, help::no_fingers);
+  run.add_flag("--left-handed", options.left_handed, help::left_handed);
+  run.add_option("--snapshots", options.snapshots, help::snapshots)->type_name("DIR")->check(not_empty());
   run.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
   run.add_option("--catalog", options.catalog, help::run_catalog)->type_name("FILE");
   const std::map<std::string, PictureTime> modes{{"exposure", PictureTime::exposure}, {"fresh", PictureTime::fresh}};
@@ -99,8 +101,8 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->check(number_between(1e-3, 1e6, " seconds"));
   run.add_option("--log", options.log, help::log)->type_name("FILE|none")->check(not_empty());
   auto* replay = run.add_option("--replay", options.replay, help::replay)->type_name("FILE")->check(not_empty());
-  for (const char* fixed :
-       {"--fov", "--calibration", "--readout-ms", "--stereo", "--no-fingers", "--catalog", "--mode", "--log"})
+  for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--stereo", "--no-fingers", "--left-handed",
+                            "--catalog", "--mode", "--log"})
     replay->excludes(run.get_option(fixed));
 }
 

@@ -21,10 +21,12 @@ enum class PictureTime { exposure, fresh };
 struct RunOptions {
   SourceOptions source;
   std::string display;  ///< window or offscreen:DIR; empty for a window where there is a display, else off-screen
-  std::filesystem::path catalog;  ///< Empty for the demo's own.
-  bool stereo = false;            ///< Off-screen: a pair of eyes, side by side.
-  bool fingers = true;            ///< Fingers that hold a stick are shown before the model behind them.
-  std::string gpu;                ///< Part of its name, or its number; empty for the fastest.
+  std::filesystem::path catalog;    ///< Empty for the demo's own.
+  bool stereo = false;              ///< Off-screen: a pair of eyes, side by side.
+  bool left_handed = false;         ///< The left hand points, the right one holds.
+  std::filesystem::path snapshots;  ///< Their folder; empty for the usual one.
+  bool fingers = true;              ///< Fingers that hold a stick are shown before the model behind them.
+  std::string gpu;                  ///< Part of its name, or its number; empty for the fastest.
   PictureTime mode = PictureTime::exposure;
   std::optional<int> frames;      ///< Stop after so many pictures.
   std::optional<double> seconds;  ///< Stop after so long.

@@ -28,6 +28,8 @@ class Graphics {
   Renderer& renderer() { return *renderer_; }
   ModelShelf& shelf() { return *shelf_; }
   DifferenceDesk& differences() { return *differences_; }
+  Gpu& gpu() { return *gpu_; }
+  const Catalog& catalog() const { return wanted_.catalog; }
 
   /// Lets all of it go and makes it anew, after the GPU was lost; pictures must be set again. Throws Error.
   void rebuild();

@@ -41,6 +41,11 @@ inline constexpr const char* display =
     "display, otherwise off-screen";
 inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
 inline constexpr const char* no_fingers = "Show models before the fingers that hold their sticks";
+inline constexpr const char* left_handed =
+    "The left hand points, cuts and measures, and its model is laid over the right one's";
+inline constexpr const char* snapshots =
+    "Where snapshots go, each a picture and its numbers in JSON. Default: among the pictures, or for a window the "
+    "folder snapshots";
 inline constexpr const char* gpu =
     "Which GPU draws: part of its name, or its number in the list that a wrong name prints. Default: a graphics card "
     "before a chip in the processor before the processor itself";
@@ -69,7 +74,9 @@ inline constexpr const char* run_examples = R"(Examples:
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
 section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.
 
-Keys in a window: L links the two models or parts them again, H hides words and figures, Space pauses, Q or Escape ends.)";
+Keys in a window: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or by
+their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is known of
+the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape ends.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

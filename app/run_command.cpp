@@ -138,18 +138,30 @@ struct Play {
   SessionLog* log = nullptr;
 };
 
-void play(Stage& stage, const Play& what, bool fingers, std::ostream& out) {
+fs::path snapshot_folder(const RunOptions& options, const std::string& display) {
+  constexpr std::string_view offscreen = "offscreen:";
+  if (!options.snapshots.empty()) return options.snapshots;
+  return display.starts_with(offscreen) ? display.substr(offscreen.size()) : "snapshots";
+}
+
+void play(Stage& stage, const Play& what, const RunOptions& options, std::ostream& out) {
   Display& display = *stage.display;
+  const fs::path folder = snapshot_folder(options, stage.spec);
+  int snapshots = 0;
   try {
     Progress progress(!stage.offscreen);
-    Show show({display, *stage.graphics, what.feed, what.log}, fingers);
+    Show show({display, *stage.graphics, what.feed, what.log},
+              {.fingers = options.fingers, .left_handed = options.left_handed, .snapshots = folder});
     show.run(what.limits, [&](std::size_t pictures) { progress.say(pictures, what.expected, " shown"); });
+    snapshots = show.snapshots_saved();
   } catch (const std::exception&) {
     finish_all_the_same(display);
     throw;
   }
   display.finish();
   for (const std::string& line : display.report()) out << line << '\n';
+  if (snapshots > 0)
+    out << "wrote " << snapshots << (snapshots == 1 ? " snapshot" : " snapshots") << " to " << folder.string() << '\n';
 }
 
 void flush(std::ostream& out) {
@@ -188,7 +200,7 @@ int run_live(RunOptions options, std::ostream& out) {
   TrackingThread tracking(*camera, tracker,
                           pace == Feed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
   FrameFeed feed(tracking, pace, options.mode);
-  play(stage, {feed, limits, pictures_expected(limits, *camera), log.get()}, options.fingers, out);
+  play(stage, {feed, limits, pictures_expected(limits, *camera), log.get()}, options, out);
   if (log) finish(*log, !options.log.empty(), out);
   flush(out);
   if (!feed.message().empty()) throw Error(feed.message());
@@ -204,7 +216,7 @@ int run_again(const RunOptions& given, std::ostream& out) {
 
   catch_interrupt();
   ReplayFeed feed(session, camera.get());
-  play(stage, {feed, limits_for(options)}, options.fingers, out);
+  play(stage, {feed, limits_for(options)}, options, out);
   flush(out);
   if (!feed.message().empty()) throw Error(feed.message());
   if (!session.note().empty()) say(session.note());

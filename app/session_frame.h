@@ -22,7 +22,7 @@ struct SessionHeader {
   std::string calibration{};        ///< A file by its whole path.
   std::optional<double> readout_ms{};
   double rate = 0;  ///< Frames a second of the display's time; 0 for a screen's own.
-  bool stereo = false, fingers = true;
+  bool stereo = false, fingers = true, left_handed = false;
   std::vector<std::pair<std::string, std::string>> settings{};  ///< More, by name; keys are unique.
 };
 

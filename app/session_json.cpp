@@ -221,6 +221,7 @@ std::string session_line(const SessionHeader& header) {
   line["rate"] = header.rate;
   line["stereo"] = header.stereo;
   line["fingers"] = header.fingers;
+  line["left_handed"] = header.left_handed;
   line["settings"] = Json::object();
   for (const auto& [key, value] : header.settings) line["settings"][key] = value;
   return dump(line);
@@ -267,6 +268,7 @@ SessionHeader header_of_line(const std::string& text) {
     line.at("rate").get_to(header.rate);
     line.at("stereo").get_to(header.stereo);
     line.at("fingers").get_to(header.fingers);
+    line.at("left_handed").get_to(header.left_handed);
     for (const auto& [key, value] : line.at("settings").items())
       header.settings.emplace_back(key, value.get<std::string>());
     return header;

@@ -62,7 +62,8 @@ SessionHeader session_header(const RunOptions& options, double rate) {
           .readout_ms = source.readout_ms,
           .rate = rate,
           .stereo = options.stereo,
-          .fingers = options.fingers};
+          .fingers = options.fingers,
+          .left_handed = options.left_handed};
 }
 
 RunOptions replay_options(const SessionHeader& header, const RunOptions& given) {
@@ -74,6 +75,7 @@ RunOptions replay_options(const SessionHeader& header, const RunOptions& given) 
   options.catalog = header.catalog;
   options.stereo = header.stereo;
   options.fingers = header.fingers;
+  options.left_handed = header.left_handed;
   return options;
 }
 

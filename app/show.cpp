@@ -1,6 +1,7 @@
 #include "app/show.h"
 
 #include "app/interrupt.h"
+#include "app/snapshot_numbers.h"
 #include "core/error.h"
 
 #include <cmath>
@@ -8,13 +9,23 @@
 
 namespace onestroke {
 
-Show::Show(const Parts& parts, bool fingers)
+namespace {
+
+// How long the wearer is told where a snapshot went.
+constexpr Duration noticed_for = Duration::from_seconds(3);
+
+}  // namespace
+
+Show::Show(const Parts& parts, const ShowOptions& options)
     : parts_(parts),
-      fingers_(fingers),
-      hands_(parts.graphics.shelf()),
+      fingers_(options.fingers),
+      films_(parts.feed.pace() == Feed::Pace::each),
+      hands_(parts.graphics.shelf(), &parts.graphics.differences(),
+             {.left_handed = options.left_handed, .wait_for_differences = films_}),
       covered_(parts.graphics.shelf()),
-      hud_words_(parts.feed.pace() != Feed::Pace::each),
-      status_(parts.feed.pace() != Feed::Pace::each) {}
+      hud_words_(!films_),
+      status_(!films_),
+      snapshots_(options.snapshots) {}
 
 void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say) {
   Display& display = parts_.display;
@@ -92,9 +103,7 @@ void Show::take_picture() {
 
 void Show::write_down(bool new_picture) {
   if (!parts_.log) return;
-  const bool linked = hands_.comparison().linked;
-  if (linked != was_linked_) parts_.log->happened(linked ? "Link" : "Part");
-  was_linked_ = linked;
+  for (const std::string_view word : hands_.comparison().happened()) parts_.log->happened(word);
   parts_.log->add(parts_.feed.record(), parts_.feed.now(), new_picture, lens_);
 }
 
@@ -128,14 +137,31 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   const FrameRecord& record = parts_.feed.record();
   // A panel on a desk; before the eyes a line is enough.
   const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
-  const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
+  std::string_view status = notice();
+  if (status.empty() && !desktop) status = status_.update(meter_.figures());
   FrameScene scene = hands_.update(record, parts_.feed.now(), frame.seen(), status);
   scene.fingers = fingers_;
+  if (hands_.comparison().snapshot) take_snapshot(scene, frame.views[0]);
   if (desktop && hands_.words()) {
     hud_words_.update(record, meter_.figures());
     scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
   }
   return parts_.graphics.renderer().draw(scene, frame);
+}
+
+// A frame that is late for once: the picture is drawn anew, in the size in which it is seen.
+void Show::take_snapshot(const FrameScene& scene, const View& view) {
+  const DifferenceDesk::Result* difference = hands_.difference();
+  snapshots_.take(parts_.graphics.gpu(), parts_.graphics.renderer(), scene, view,
+                  snapshot_numbers(parts_.graphics.catalog(), parts_.feed.record(), hands_.comparison(),
+                                   difference ? &difference->statistics : nullptr));
+  snapshot_at_ = parts_.feed.now();
+  if (films_) snapshots_.wait();
+}
+
+std::string_view Show::notice() const {
+  const bool recent = snapshot_at_ && parts_.feed.now() - *snapshot_at_ < noticed_for;
+  return recent ? snapshots_.notice() : std::string_view();
 }
 
 }  // namespace onestroke

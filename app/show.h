@@ -6,6 +6,7 @@
 #include "app/frame_meter.h"
 #include "app/graphics.h"
 #include "app/session_log.h"
+#include "app/snapshots.h"
 #include "app/status_line.h"
 #include "app/two_hands.h"
 #include "render/display.h"
@@ -20,6 +21,13 @@ namespace onestroke {
 struct ShowLimits {
   std::size_t pictures = std::numeric_limits<std::size_t>::max();
   Duration length{std::numeric_limits<std::int64_t>::max()};  ///< By the display's clock.
+};
+
+/// How a show is shown.
+struct ShowOptions {
+  bool fingers = true;  ///< Whether those that hold a stick are shown before the model behind them.
+  bool left_handed = false;
+  std::filesystem::path snapshots = "snapshots";  ///< The folder that they are saved to.
 };
 
 /// The render loop: frame after frame, the newest of the feed, seen by the display's views. Nothing in it throws on its
@@ -38,12 +46,13 @@ class Show {
     SessionLog* log = nullptr;  ///< Where the show is written down, if anywhere.
   };
 
-  /// fingers: whether those that hold a stick are shown before the model behind them.
-  explicit Show(const Parts& parts, bool fingers = true);
+  explicit Show(const Parts& parts, const ShowOptions& options = {});
 
   /// Until the feed or a limit ends it, the display closes, or somebody asks. `say` hears how many pictures were shown.
   /// Throws Error where the GPU cannot go on, or was lost for the second time within a short while.
   void run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say);
+  /// Waits for the last one.
+  int snapshots_saved() { return snapshots_.wait(), snapshots_.saved(); }
 
  private:
   bool press(Key key);
@@ -53,11 +62,14 @@ class Show {
   void recover(Time now);
   void take_picture();
   void write_down(bool new_picture);
+  void take_snapshot(const FrameScene& scene, const View& view);
+  std::string_view notice() const;
   void stand_at_camera(FrameInfo& frame) const;
   void measure(const FrameInfo& frame, bool new_picture);
 
   Parts parts_;
   const bool fingers_;
+  const bool films_;  // every picture counts, and may be waited for
   TwoHands hands_;
   CoveredCells covered_;
   FrameMeter meter_;
@@ -68,8 +80,9 @@ class Show {
   // What it says of its camera.
   PictureLens lens_;
   Pose T_world_camera_;
-  std::optional<Time> lost_at_;
-  bool paused_ = false, was_linked_ = false;
+  std::optional<Time> lost_at_, snapshot_at_;
+  bool paused_ = false;
+  Snapshots snapshots_;
 };
 
 }  // namespace onestroke

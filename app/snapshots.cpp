@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 void Snapshots::take(Gpu& gpu, Renderer& renderer, const FrameScene& scene, const View& view,
                      std::string numbers) noexcept {
-  if (writer_.joinable()) writer_.join();
+  wait();
   done_ = false;
   try {
     Picture picture = draw(gpu, renderer, scene, view);
@@ -74,9 +74,8 @@ std::string_view Snapshots::notice() const {
   return done_ ? std::string_view(notice_) : std::string_view();
 }
 
-int Snapshots::saved() {
+void Snapshots::wait() {
   if (writer_.joinable()) writer_.join();
-  return saved_;
 }
 
 }  // namespace onestroke

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -26,8 +27,10 @@ class Snapshots {
 
   /// What became of the last one, for a person; empty before the first, and while it is being written.
   std::string_view notice() const;
-  /// How many have been saved. Waits for the last one.
-  int saved();
+  /// Until the last one is written.
+  void wait();
+  /// How many have been saved; after wait().
+  int saved() const { return saved_; }
   const std::filesystem::path& folder() const { return folder_; }
 
  private:

@@ -94,6 +94,7 @@ std::optional<Touch> TouchGesture::update(const std::optional<std::array<StickPo
   if (held_for_ < hold) return std::nullopt;
   armed_ = false;
   last_ = found.touch;
+  approached_.reset();
   let_go();
   return last_;
 }
