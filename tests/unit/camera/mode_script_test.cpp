@@ -41,6 +41,7 @@ class Hands {
  public:
   explicit Hands(ScriptKind kind) : script_{options_of(kind), {&left_, &right_}} {}
 
+  const HandScript& script() const { return script_; }
   double period() const { return script_.period(); }
   const Shape& shape(std::size_t hand) const { return script_.rod(hand).spec().shape; }
   Vec3 centre(std::size_t hand) const { return script_.rod(hand).centre(); }
@@ -106,6 +107,16 @@ TEST_P(ModeScripts, BothSticksStayInThePicture) {
       }
     }
   }
+}
+
+TEST_P(ModeScripts, HeadTurnsNoFartherThanItSaysAndSways) {
+  constexpr double sway = 0.12;
+  double most = 0;
+  for (double t = 0; t < hands_.period(); t += 0.05) {
+    most = std::max(most, std::abs(log_so3(hands_.script().T_world_camera(t).rotation).y));
+  }
+  EXPECT_LT(most, hands_.script().head_turn() + sway);
+  EXPECT_GT(most, hands_.script().head_turn() - sway);
 }
 
 TEST_P(ModeScripts, SticksDoNotPassThroughEachOther) {
