@@ -94,6 +94,13 @@ Pose HandScript::T_world_camera(double t) const {
   return mode_ ? orbit_at(mode_->head, wrapped(t)) * sways : sways;
 }
 
+double HandScript::head_turn() const {
+  double most = 0;
+  if (!head_moves_ || !mode_) return most;
+  for (const OrbitKey& key : mode_->head.keys) most = std::max(most, std::abs(key.turn.round) * pi / 180);
+  return most;
+}
+
 Pose HandScript::T_world_marker(std::size_t hand, double t) const {
   if (mode_) return shown(hand, wrapped(t));
   return kind_ == ScriptKind::hands ? held(hand, wrapped(t)) : turned(t);

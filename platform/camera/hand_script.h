@@ -36,6 +36,8 @@ class HandScript {
   std::size_t hands() const { return rods_.size(); }
   const Rod& rod(std::size_t hand) const { return *rods_[hand]; }
   Pose T_world_camera(double t) const;
+  /// How far the head turns to either side besides its sway, rad.
+  double head_turn() const;
   Pose T_world_marker(std::size_t hand, double t) const;
   /// The capsules of a hand: thumb, forefinger, palm, as far as the options ask for fingers.
   std::size_t capsules() const { return fingers_ == 0 ? 0 : static_cast<std::size_t>(fingers_) + 1; }

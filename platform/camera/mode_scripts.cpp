@@ -95,8 +95,8 @@ constexpr std::array section_right{
     Key{1.7, 3.0, start, {-7, 0, 3}, across, on_left},  // start tip on the corner
     Key{4.8, 5.0, corner, {35, 22, 362}, {0, 10, 0}},
     Key{6.9, 7.1, corner, {35, 22, 414}, {0, 10, 0}},
-    Key{7.9, 8.0, corner, {35, 2, 400}, {0, 50, 0}},
-    Key{9.5, 9.6, corner, {35, 42, 400}, {0, 50, 0}},
+    Key{8.0, 8.1, corner, {35, -44, 400}, {0, 50, 0}},
+    Key{9.7, 9.8, corner, {35, 22, 400}, {0, 50, 0}},
     Key{11.2, 12.5, start, {-7, 0, 3}, across, on_left},  // ends
     Key{13.6, 14.0, start, {24, -12, 385}, {180, -15, -50}},
 };

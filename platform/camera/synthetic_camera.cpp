@@ -56,18 +56,19 @@ void sleep_until(Time when) {
   }
 }
 
-/// What of the room a head that sways a little ever sees; a lens that bends much sees the edge repeated.
-Room::Extent seen(const SyntheticOptions& options, const Intrinsics& k) {
+/// What of the room a head that sways a little and turns by head_turn, rad, ever sees; a lens that bends much sees the
+/// edge repeated.
+Room::Extent seen(const SyntheticOptions& options, const Intrinsics& k, double head_turn) {
   constexpr double sway = 0.12;  // rad
-  const double across = std::atan(std::max(k.cx, options.width - k.cx) / k.fx) + sway;
+  const double across = std::atan(std::max(k.cx, options.width - k.cx) / k.fx) + sway + head_turn;
   const double down = std::atan(std::max(k.cy, options.height - k.cy) / k.fy) + sway;
   const Room::Extent whole;
   return {std::min(across, whole.half_turn), std::min(std::tan(std::min(down, 1.4)), whole.half_height)};
 }
 
-Room make_room(const SyntheticOptions& options, const Intrinsics& k) {
+Room make_room(const SyntheticOptions& options, const Intrinsics& k, double head_turn) {
   constexpr double most_texels = 2.2e6;
-  const Room::Extent extent = seen(options, k);
+  const Room::Extent extent = seen(options, k, head_turn);
   const double finest = std::sqrt(most_texels / (4 * extent.half_turn * extent.half_height));
   return Room(std::min(k.fx, finest), options.seed, extent);
 }
@@ -78,7 +79,7 @@ class SyntheticCamera : public Camera {
       : options_(options),
         rods_(make_rods(options, catalog)),
         script_(options, pointers(rods_)),
-        room_(make_room(options, intrinsics)),
+        room_(make_room(options, intrinsics, script_.head_turn())),
         renderer_(options.threads),
         pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
     frame_.intrinsics = intrinsics;

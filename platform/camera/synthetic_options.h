@@ -40,7 +40,7 @@ struct SyntheticOptions {
   std::optional<int> marker;               ///< Which stick the one-stick scripts show; the catalogue's first.
   std::optional<int> first_id, second_id;  ///< ids=a+b; the catalogue's first two.
   int fingers = 0;                         ///< A hand, 0 to 2.
-  std::optional<bool> head;                ///< Whether the head sways; by itself it does in scripts of two hands.
+  std::optional<bool> head;                ///< Whether the head moves; by itself it does in scripts of two hands.
 
   double exposure_ms = 0;
   std::optional<double> readout_ms;

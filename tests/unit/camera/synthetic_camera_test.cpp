@@ -186,6 +186,7 @@ TEST_F(Synthetic, RefusesWhatItDoesNotKnowInWordsThatHelp) {
   EXPECT_THROW(open("width=640x"), UsageError);
   EXPECT_THROW(open("fov_deg=nan"), UsageError);
   EXPECT_THROW(open("script=dance"), UsageError);
+  EXPECT_NE(error_of([&] { open("script=dance"); }).find("hands, side, link, "), std::string::npos);
   EXPECT_THROW(open("fingers=3"), UsageError);
   EXPECT_THROW(open("ids=3"), UsageError);
   EXPECT_THROW(open("ids=3+3"), UsageError);
