@@ -68,8 +68,10 @@ ModelLoader::Loaded ModelLoader::load(Job& job, const Renderer& renderer, const 
   };
   say(0);
   Model model = load_model(job.wish.file, job.wish.import, [&](double share) { say(share * read); });
-  Loaded loaded{.prepared = {}, .placement = place_on_marker(model, job.wish.import.fit), .name = model.name};
-  loaded.size = size_words(model);
+  Loaded loaded{.prepared = {},
+                .placement = place_on_marker(model, job.wish.import.fit),
+                .name = model.name,
+                .size = size_words(model)};
   loaded.closed = measure({model.vertices, model.indices}).closed;
   add_levels(model, [&](double share) { say(read + share * (levelled - read)); });
   say(levelled);

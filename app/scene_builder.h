@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame_record.h"
 #include "core/inline_vector.h"
 #include "render/frame_scene.h"
 #include "render/view.h"
