@@ -10,6 +10,10 @@ namespace onestroke {
 /// What the sticks are about to do: its words and a ring that fills. One thread; allocates nothing.
 void draw_offer(SceneBuilder& scene, const View& view, const OfferView& offer);
 
+/// The plane that cuts a model, as a frame round the model's ball. `opacity` with which it stands out.
+void draw_plane(SceneBuilder& scene, const View& view, const SectionPlane& plane, Vec3 middle, double reach,
+                double opacity);
+
 /// The points that are measured, what lies between them, and the ring of the one that is being picked. Keeps the words
 /// of its labels. One thread; allocates nothing.
 class MeasureDrawing {
@@ -17,7 +21,7 @@ class MeasureDrawing {
   void draw(SceneBuilder& scene, const View& view, const MeasureView& measure);
 
  private:
-  void label(SceneBuilder& scene, const View& view, const Text& words, Vec3 at, double opacity);
+  void label(SceneBuilder& scene, const View& view, const Text& words, Vec3 at, bool below, double opacity);
 
   std::array<Text, 3> words_;
 };

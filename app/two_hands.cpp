@@ -62,6 +62,7 @@ const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::spa
     const View& view = views.front();
     add_labels(view);
     add_cards(view);
+    add_planes(view);
     measure_.draw(builder_, view, comparison_.view().measure);
     if (comparison_.view().offer) draw_offer(builder_, view, *comparison_.view().offer);
     if (difference_) legend_.draw(builder_, view, difference_->statistics, map_.value());
@@ -207,6 +208,15 @@ void TwoHands::add_cards(const View& view) {
                                .color = faded(Color{}, opacity),
                                .plate = faded(Label{}.plate, opacity),
                                .on_top = true});
+  }
+}
+
+void TwoHands::add_planes(const View& view) {
+  for (const HandView& hand : comparison_.view().hands) {
+    const ShelfEntry* entry = shelf_.find(hand.marker_id);
+    if (!hand.cut || !entry) continue;
+    draw_plane(builder_, view, *hand.cut, hand.world_from_marker * entry->placement.pivot, entry->placement.reach,
+               hand.opacity * hand.shown);
   }
 }
 

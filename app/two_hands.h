@@ -52,6 +52,7 @@ class TwoHands {
   void add_axes(const HandView& hand);
   void add_labels(const View& view);
   void add_cards(const View& view);
+  void add_planes(const View& view);
   void add_words(const View& view, std::string_view status);
   void add_line(Vec3 from, Vec3 to, double width_px, Color color);
   void add_text(std::string_view text, double x, double y, double pivot_x, double pivot_y, double height_px);

@@ -132,7 +132,7 @@ void Comparison::apply(const MadeSign& made, Time) {
   const CompareMode before = std::exchange(mode_, after(mode_, *rule));
   changed_ = true;
   if (view_.event_count < static_cast<int>(view_.events.size()))
-    view_.events[static_cast<std::size_t>(view_.event_count++)] = rule->words.empty() ? "End" : rule->words;
+    view_.events[static_cast<std::size_t>(view_.event_count++)] = words_of(*rule, made);
   if (rule->act == Act::snapshot) view_.snapshot = true;
   if (rule->act == Act::freeze) freeze(made);
   if (mode_.link == Link::mirrored && before.link != Link::mirrored)
@@ -140,19 +140,27 @@ void Comparison::apply(const MadeSign& made, Time) {
   if (before.tool != Tool::none || mode_.tool == Tool::none) return;
   pointer_ = made.pointer.value_or(preferred());
   base_ = other(preferred());
-  ruler_.begin();
+  ruler_.begin(pointing_tip(), world_from_marker(other(pointer_)));
   // What stands between the eyes and the plane is cut away.
   const SectionPlane plane = plane_of_stick(hands_[pointer_].T_world_marker, false);
   plane_flipped_ = dot(plane.normal, T_world_camera_.translation) > plane.offset;
 }
 
+std::string_view Comparison::words_of(const ModeRule& rule, const MadeSign& made) const {
+  if (rule.act == Act::freeze && motion(to_freeze(made)).frozen) return "Let go";
+  return rule.words.empty() ? "End" : rule.words;
+}
+
 // By key there is no stick that points: what is frozen is let go, or else the model in the hand that holds is frozen.
+Hand Comparison::to_freeze(const MadeSign& made) const {
+  if (made.pointer) return other(*made.pointer);
+  for (const Hand h : both_hands)
+    if (motion(h).frozen) return h;
+  return other(preferred());
+}
+
 void Comparison::freeze(const MadeSign& made) {
-  std::optional<Hand> h;
-  if (made.pointer) h = other(*made.pointer);
-  for (const Hand frozen : both_hands)
-    if (!h && motion(frozen).frozen) h = frozen;
-  Motion& m = motion(h.value_or(other(preferred())));
+  Motion& m = motion(to_freeze(made));
   if (m.frozen)
     m.frozen.reset();
   else if (m.presence.value() > 0)
@@ -211,8 +219,7 @@ void Comparison::fill_offer() {
   const OfferedSign& offered = *signs_.offer();
   const ModeRule* rule = find_rule(mode_, offered.made.sign);
   if (!rule) return;
-  const bool lets_go = rule->act == Act::freeze && offered.made.pointer && motion(other(*offered.made.pointer)).frozen;
-  view_.offer = OfferView{lets_go ? "Let go" : rule->words, offered.place_world, offered.progress};
+  view_.offer = OfferView{words_of(*rule, offered.made), offered.place_world, offered.progress};
 }
 
 void Comparison::fill_relative() {

@@ -39,6 +39,9 @@ class Comparison {
   static constexpr double clearly_more = 2;
   /// A leader out of sight for so long hands the lead to the visible stick.
   static constexpr Duration leader_missed = Duration::from_ms(300);
+  /// A plane that cuts keeps the side away from the eyes; the sine of how far it turns past them before it keeps the
+  /// other one.
+  static constexpr double turns_over = 0.2;
   /// A stick so near to the eyes shows its model's card, until it is farther than the second; mm.
   static constexpr double card_within = 300, card_beyond = 340;
   static constexpr Duration card_after = Duration::from_ms(400);
@@ -86,6 +89,9 @@ class Comparison {
   void press_keys(Time now);
   void look_for_signs(Time now);
   void apply(const MadeSign& made, Time now);
+  /// What a sign is offered as, and written down as.
+  std::string_view words_of(const ModeRule& rule, const MadeSign& made) const;
+  Hand to_freeze(const MadeSign& made) const;
   void freeze(const MadeSign& made);
   void choose_leader(Time now);
   /// The stick whose turns both models must show in this mode, where it is not the one that turns most.
@@ -99,6 +105,8 @@ class Comparison {
   Similarity base_from_laid() const;
   void place(Hand h, Time now);
 
+  Vec3 pointing_tip() const;
+  void turn_plane();
   void cut(Duration step);
   void measure(Duration step, Time now);
   void fill_hand(Hand h, Time now);
@@ -115,7 +123,7 @@ class Comparison {
   Hand pointer_ = Hand::right, base_ = Hand::left;  // roles, where the mode has them
   std::array<char, 8> keys_{};
   std::size_t key_count_ = 0;
-  bool cards_ = false, started_ = false, changed_ = false, plane_flipped_ = false;
+  bool cards_ = false, started_ = false, changed_ = false, plane_flipped_ = false, plane_turns_ = false;
   Pose T_world_camera_;
   Vec3 mirror_normal_{1, 0, 0};
   std::optional<Similarity> fit_;

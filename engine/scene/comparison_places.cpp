@@ -71,15 +71,33 @@ void Comparison::place(Hand h, Time now) {
   m.place.update(where, now);
 }
 
+Vec3 Comparison::pointing_tip() const {
+  return hands_[pointer_].T_world_marker * carried_by(pointer_).points[static_cast<std::size_t>(StickPoint::start)];
+}
+
+// A plane that was turned round would cut away what is to be seen: the cut is healed and made again from the other
+// side.
+void Comparison::turn_plane() {
+  if (!hands_[pointer_].visible()) return;
+  plane_ = plane_of_stick(hands_[pointer_].T_world_marker, plane_flipped_);
+  const Vec3 to_eye = T_world_camera_.translation - hands_[pointer_].T_world_marker.translation;
+  const double kept = dot(plane_.normal, normalized(to_eye));  // above zero: the eye is on the side that is kept
+  plane_turns_ = mode_.tool == Tool::section && (plane_turns_ ? kept > 0 : kept > turns_over);
+  if (!plane_turns_ || cutting_.value() > 0) return;
+  plane_flipped_ = !plane_flipped_;
+  plane_turns_ = false;
+  plane_ = plane_of_stick(hands_[pointer_].T_world_marker, plane_flipped_);
+}
+
 void Comparison::cut(Duration step) {
   const Hand touched = other(pointer_);
   const bool cuts = mode_.tool == Tool::section;
-  cutting_.update(cuts, step);
+  turn_plane();
+  cutting_.update(cuts && !plane_turns_, step);
   for (const Hand h : both_hands) {
     seen(h).cut.reset();
-    motion(h).aside.update(cuts && !linked() && h == pointer_, step);
+    motion(h).aside.update(h == pointer_ && (cuts ? !linked() : mode_.tool == Tool::measure), step);
   }
-  if (hands_[pointer_].visible()) plane_ = plane_of_stick(hands_[pointer_].T_world_marker, plane_flipped_);
   if (cutting_.value() <= 0) return;
   const auto eased = [&](Hand h, const SectionPlane& plane) {
     const ModelPlace& shown = motion(h).place.shown();
@@ -99,11 +117,11 @@ void Comparison::measure(Duration step, Time now) {
   if (mode_.tool == Tool::measure) {
     const CarriedModel& model = carried_by(measured);
     const ModelPlace& shown = motion(measured).place.shown();
-    std::optional<Vec3> tip;
-    if (hands_[pointer_].visible())
-      tip = hands_[pointer_].T_world_marker * carried_by(pointer_).points[static_cast<std::size_t>(StickPoint::start)];
-    const bool near = tip && norm(*tip - shown.middle) < shown.scale * model.reach + near_model;
-    ruler_.update(near ? tip : std::nullopt, world_from_marker(measured),
+    const Vec3 tip = pointing_tip();
+    const bool near = norm(tip - shown.middle) < shown.scale * model.reach + near_model;
+    const bool makes_sign = signs_.offer() && signs_.offer()->progress > 0;
+    const bool picks = near && !makes_sign && hands_[pointer_].visible();
+    ruler_.update(picks ? std::optional(tip) : std::nullopt, world_from_marker(measured),
                   model.reach > 0 ? model.marker_from_model.scale / millimetres_per_metre : 1, now);
   }
   view_.measure = ruler_.view();

@@ -5,6 +5,12 @@
 
 namespace onestroke {
 
+void Measuring::begin(Vec3 tip_world, const Similarity& world_from_marker) {
+  count_ = 0;
+  picker_ = {};
+  picker_.leave_out(inverse(world_from_marker) * tip_world);
+}
+
 void Measuring::update(const std::optional<Vec3>& tip_world, const Similarity& world_from_marker, double mm_scale,
                        Time now) {
   const Similarity marker_from_world = inverse(world_from_marker);

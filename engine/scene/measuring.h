@@ -22,9 +22,10 @@ struct MeasureView {
 /// Measures between up to three points of a model, which stay with it as it turns.
 class Measuring {
  public:
-  void begin() { count_ = 0, picker_ = {}; }
-  /// One frame: the tip, nothing where it is not near the model; where the model is shown, and how large a millimetre
-  /// of its own is there.
+  /// The first point is picked after the tip has left where it is now; world_from_marker as below.
+  void begin(Vec3 tip_world, const Similarity& world_from_marker);
+  /// One frame: the tip, nothing where it is not near the model or does something else; where the model is shown, and
+  /// how large a millimetre of its own is there.
   void update(const std::optional<Vec3>& tip_world, const Similarity& world_from_marker, double mm_scale, Time now);
   /// All but the amount.
   const MeasureView& view() const { return view_; }

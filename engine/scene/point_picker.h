@@ -20,6 +20,8 @@ class PointPicker {
   /// One frame: where the point is, or nothing where it is out of sight or far from everything, which a short gap
   /// forgives. `now` does not go back. Returns a place once, when it is picked: the mean of where the point was held.
   std::optional<Vec3> update(const std::optional<Vec3>& point, Time now);
+  /// Nothing is picked here until it is left.
+  void leave_out(Vec3 place) { last_ = place, count_ = 0; }
   double progress() const { return progress_; }
 
  private:

@@ -78,8 +78,8 @@ constexpr std::array overlay_right{
 };
 constexpr std::array overlay_both{
     OrbitKey{0.0, 3.2, {}},
-    OrbitKey{4.7, 4.9, {50, 0, 0}},
-    OrbitKey{7.0, 7.2, {-50, 0, 0}},
+    OrbitKey{4.7, 4.9, {65, 0, 0}},
+    OrbitKey{7.0, 7.2, {-65, 0, 0}},
     OrbitKey{8.5, 14.0, {}},
 };
 
@@ -152,15 +152,15 @@ constexpr std::array snapshot_right{
 };
 
 constexpr std::array card_left{
-    Key{0.0, 0.3, middle, {-100, 4, 400}, {10, 16, 0}},
-    Key{1.5, 7.0, middle, {-100, 4, 400}, {35, 16, 0}},
-    Key{8.2, 8.6, middle, {-100, 4, 400}, {10, 16, 0}},
+    Key{0.0, 0.3, middle, {-130, 4, 400}, {10, 16, 0}},
+    Key{1.5, 7.0, middle, {-130, 4, 400}, {35, 16, 0}},
+    Key{8.2, 8.6, middle, {-130, 4, 400}, {10, 16, 0}},
 };
 constexpr std::array card_right{
     Key{0.0, 0.6, middle, {75, 4, 400}, {-10, 16, 0}},  // far
-    Key{2.1, 2.5, middle, {60, 4, 248}, {-10, 16, 0}},  // near
-    Key{3.4, 3.6, middle, {60, 4, 248}, {25, 16, 0}},   // turned
-    Key{4.6, 5.0, middle, {60, 4, 248}, {-20, 16, 0}},  // the other way
+    Key{2.1, 2.5, middle, {5, 4, 248}, {-10, 16, 0}},  // near
+    Key{3.4, 3.6, middle, {5, 4, 248}, {25, 16, 0}},   // turned
+    Key{4.6, 5.0, middle, {5, 4, 248}, {-20, 16, 0}},  // the other way
     Key{6.5, 8.6, middle, {75, 4, 400}, {-10, 16, 0}},
 };
 

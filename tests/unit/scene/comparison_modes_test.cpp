@@ -225,6 +225,23 @@ TEST_F(ComparisonModes, WhatIsBetweenTheEyesAndThePlaneIsCutAway) {
   }
 }
 
+TEST_F(ComparisonModes, APlaneThatIsTurnedRoundCutsFromTheOtherSide) {
+  comparison_.press('c');
+  right_.place = pose(left_) * carried_[0].pivot;
+  right_.rotation = {};
+  run(400);
+  bool healed = false;
+  run(1000, [&](double) {
+    right_.rotation = exp_so3({0, 1.8 * degree, 0}) * right_.rotation;
+    healed = healed || !view()[Hand::left].cut;
+  });
+  run(400);
+  EXPECT_TRUE(healed);
+  ASSERT_TRUE(view()[Hand::left].cut);
+  const SectionPlane plane = *view()[Hand::left].cut;
+  EXPECT_LT(dot(plane.normal, Vec3{}), plane.offset) << "the eye is on the side that is cut away";
+}
+
 TEST_F(ComparisonModes, LinkedModelsAreCutAlike) {
   comparison_.press('l');
   run(300);

@@ -43,6 +43,16 @@ TEST(PointPicker, PicksAPlaceOnceUntilItIsLeft) {
   EXPECT_EQ(count, 3);
 }
 
+TEST(PointPicker, LeavesOutWhereItBegins) {
+  PointPicker picker;
+  picker.leave_out({0, 0, 400});
+  int count = 0;
+  for (double ms = 0; ms < 2000; ms += 10) count += picker.update(Vec3{0, 1, 400}, at_ms(ms)) ? 1 : 0;
+  EXPECT_EQ(count, 0);
+  for (double ms = 2000; ms < 3000; ms += 10) count += picker.update(Vec3{0, 15, 400}, at_ms(ms)) ? 1 : 0;
+  EXPECT_EQ(count, 1);
+}
+
 TEST(PointPicker, ForgivesAShortGapAndNotALongOne) {
   for (const double gap : {200.0, 400.0}) {
     PointPicker picker;
