@@ -43,7 +43,7 @@ struct ModelInstance {
   /// Whether the faces that the plane cuts the model open with are shown filled, with a hatch: for closed models. They
   /// are as opaque as the tint.
   bool fill_cut = false;
-  Color cut_color{0.8F, 0.35F, 0.03F, 1};
+  Color cut_color{0.87F, 0.7F, 0.08F, 1};
   /// Drawn to depth alone: hides what is behind it and shows the camera's picture instead.
   bool occluder = false;
 };
