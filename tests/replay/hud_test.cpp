@@ -108,7 +108,8 @@ std::vector<golden::Picture> watch(const WatchedDisplay::Wanted& wanted) {
                                    .readout = {},
                                    .catalog = &catalog});
   WatchedDisplay display(wanted);
-  Graphics graphics(display, {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
+  Graphics graphics(display,
+                    {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
   Tracker tracker(catalog);
   TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
   Show show({display, graphics, tracking}, FrameFeed::Pace::each, PictureTime::exposure);
