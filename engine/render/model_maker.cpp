@@ -91,13 +91,6 @@ GpuModel::Part part_of(const Model& model, const ModelPart& part) {
           .textured = material.textured() || material.alpha_mode == ModelMaterial::AlphaMode::mask};
 }
 
-/// As a whole.
-bool lets_light_through(const Model& model) {
-  return std::ranges::all_of(model.parts, [&model](const ModelPart& part) {
-    return model.materials[static_cast<std::size_t>(part.material)].alpha_mode == ModelMaterial::AlphaMode::blend;
-  });
-}
-
 void add_level(const Model& model, const std::vector<ModelPart>& parts, float error, GpuModel& gpu) {
   gpu.errors.push_back(error);
   auto& level = gpu.levels.emplace_back();
@@ -131,7 +124,7 @@ std::shared_ptr<PreparedModel> ModelMaker::make(const Model& model) const {
   for (const auto& image : model.images)
     gpu.images.push_back(upload.image(info_of(image), std::as_bytes(std::span(image.rgba))));
   add_geometry(model, gpu);
-  if (!lets_light_through(model)) gpu.balls = contact_balls(model);
+  if (model.casts_shadow) gpu.balls = contact_balls(model);
   if (!model.materials.empty()) add_materials(*prepared, model);
   return prepared;
 }

@@ -31,7 +31,7 @@ struct GpuModel {
   std::vector<Parts> levels;       ///< The full detail first; ever coarser, the same parts in the same order.
   std::vector<float> errors;       ///< Of each level, in the model's unit; the first is 0.
   Box box;                         ///< Round all of it, in the model.
-  std::vector<ContactBall> balls;  ///< See contact_balls(); none where all of it lets light through.
+  std::vector<ContactBall> balls;  ///< See contact_balls(); none where the model casts no shadow.
 };
 
 /// A model with the commands that it still needs.

@@ -74,12 +74,14 @@ Model difference_veil(const ComparedModel& base, const ModelDifference& differen
     surface.vertices[i].color = {1, 1, 1, veil_at(has_inside ? distance : std::abs(distance), s.reach)};
   }
   drop_unseen(surface);
-  return model_of(base.name, std::move(surface),
-                  {.base_color = {veil_white, veil_white, veil_white, 1},
-                   .metallic = 0,
-                   .roughness = 0.7F,
-                   .alpha_mode = ModelMaterial::AlphaMode::blend,
-                   .double_sided = base.double_sided || !s.base.closed});
+  Model veil = model_of(base.name, std::move(surface),
+                        {.base_color = {veil_white, veil_white, veil_white, 1},
+                         .metallic = 0,
+                         .roughness = 0.7F,
+                         .alpha_mode = ModelMaterial::AlphaMode::blend,
+                         .double_sided = base.double_sided || !s.base.closed});
+  veil.casts_shadow = false;
+  return veil;
 }
 
 }  // namespace onestroke

@@ -68,6 +68,7 @@ struct Model {
   std::vector<ModelMaterial> materials;
   std::vector<ModelImage> images;
   std::array<float, 3> lower{}, upper{};  ///< Bounding box, metres.
+  bool casts_shadow = true;               ///< Takes light from other models that it is close to.
 };
 
 /// Told now and then how far a load is, 0 to 1. What it throws ends the load and reaches the caller.

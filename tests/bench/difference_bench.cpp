@@ -92,6 +92,7 @@ int run(int argc, char** argv) {
     const auto add = [&](const std::string& what, auto function) {
       benchmark::RegisterBenchmark((what + '/' + scenes[i].name).c_str(), function)
           ->Unit(benchmark::kMillisecond)
+          ->MeasureProcessCPUTime()
           ->UseRealTime();
     };
     add("measure", [&, i](State& s) { measure_all(s, scenes[i], outcomes[i]); });

@@ -192,8 +192,8 @@ TEST_F(DeskStage, SaysWhyItCannot) {
 }
 
 TEST_F(DeskStage, LeavesOffWhatIsNoLongerWanted) {
-  write_sheet("large.obj", 300, 5);
-  write_sheet("larger.obj", 300, 6);
+  write_sheet("large.obj", 220, 5);
+  write_sheet("larger.obj", 220, 6);
   write_box("box.obj", 40, 20, 30);
   const Catalog catalog = carrying({"large.obj", "larger.obj", "box.obj"});
   DifferenceDesk desk(catalog, catalog_file(), *renderer);
@@ -214,8 +214,8 @@ TEST_F(DeskStage, LeavesOffWhatIsNoLongerWanted) {
 }
 
 TEST_F(DeskStage, LeavingEarlyDoesNotWaitForTheEnd) {
-  write_sheet("large.obj", 300, 5);
-  write_sheet("larger.obj", 300, 6);
+  write_sheet("large.obj", 220, 5);
+  write_sheet("larger.obj", 220, 6);
   const Catalog catalog = carrying({"large.obj", "larger.obj"});
   const double left = seconds([&] {
     DifferenceDesk desk(catalog, catalog_file(), *renderer);

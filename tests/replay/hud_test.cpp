@@ -109,7 +109,8 @@ std::vector<golden::Picture> watch(const WatchedDisplay::Wanted& wanted) {
                                    .readout = {},
                                    .catalog = &catalog});
   WatchedDisplay display(wanted);
-  Graphics graphics(display, {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
+  Graphics graphics(display,
+                    {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
   Tracker tracker(catalog);
   TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
   FrameFeed feed(tracking, Feed::Pace::each, PictureTime::exposure);

@@ -37,7 +37,8 @@ TEST(Show, AllocatesNothingOnceWarm) {
                                    .catalog = &catalog});
   {
     OffscreenDisplay display({.width = 320, .height = 240});
-    Graphics graphics(display, {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
+    Graphics graphics(display,
+                      {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
     make_room_for_words(display, graphics.renderer());
     Tracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);

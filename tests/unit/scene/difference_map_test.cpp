@@ -65,6 +65,7 @@ TEST(DifferenceVeil, ShowsWhatTheBaseHasMore) {
   const ModelDifference d = compare(laid, base, Alignment::own_frames);
   const Model veil = difference_veil(base, d);
   EXPECT_EQ(veil.materials[0].alpha_mode, ModelMaterial::AlphaMode::blend);
+  EXPECT_FALSE(veil.casts_shadow);
   ASSERT_FALSE(veil.indices.empty());
   float most = 0;
   for (const ModelVertex& v : veil.vertices) {
