@@ -12,11 +12,18 @@ using testing::HasSubstr;
 
 class SessionProgram : public ProgramTest {
  protected:
-  const std::string demo = "run --camera synthetic:fingers=1,noise=2,blur=0.5,width=640,height=360 ";
+  // Both hands are there after a second; four pictures make one.
+  const std::string demo = "run --camera synthetic:fingers=1,noise=2,blur=0.5,width=640,height=360,fps=4 ";
 
   std::ptrdiff_t pictures(const std::string& name) const {
     return std::count_if(fs::directory_iterator(folder / name), {},
                          [](const fs::directory_entry& e) { return e.path().extension() == ".png"; });
+  }
+  int count_in(const std::string& name, const std::string& wanted) const {
+    const std::string text = read(name);
+    int count = 0;
+    for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1)) ++count;
+    return count;
   }
   /// Byte for byte, the figures at the foot too.
   void expect_same_pictures(const std::string& a, const std::string& b, std::ptrdiff_t count) const {
@@ -38,6 +45,8 @@ TEST_F(SessionProgram, IsShownAgainPictureForPicture) {
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(again.err, "");
   expect_same_pictures("film", "again", 20);
+  for (const std::string name : {R"("name":"bracket v1")", R"("name":"bracket v2")"})
+    EXPECT_GT(count_in("film/session.jsonl", name), 8) << "there was something to show";
   EXPECT_FALSE(fs::exists(folder / "again" / "session.jsonl"));
 }
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <map>
 
 namespace onestroke {
@@ -49,7 +51,7 @@ class KeyedDisplay final : public Display {
 class SessionShow : public testing::Test {
  protected:
   std::unique_ptr<Camera> open() const {
-    return open_camera({.spec = "synthetic:noise=2,width=320,height=240",
+    return open_camera({.spec = "synthetic:noise=2,width=320,height=240,fov_deg=35,fps=4",
                         .fov_rad = {},
                         .calibration = {},
                         .readout = {},
@@ -90,6 +92,11 @@ class SessionShow : public testing::Test {
 TEST_F(SessionShow, ItsKeysAreInTheLog) {
   const auto live =
       show_live({{2, Key{'l'}}, {4, Key::space}, {6, Key::space}, {8, Key{'h'}}, {10, Key{'h'}}, {11, Key{'l'}}});
+  std::ifstream in(file);
+  const std::string log(std::istreambuf_iterator<char>(in), {});
+  EXPECT_NE(log.find("\"bracket v1\""), std::string::npos) << "a stick is there";
+  EXPECT_NE(log.find("\"events\":[\"Link\"]"), std::string::npos);
+  EXPECT_NE(log.find("\"events\":[\"Part\"]"), std::string::npos);
   const auto again = show_again();
   ASSERT_EQ(live.size(), 14u) << "12 pictures, and 2 frames of a pause";
   ASSERT_EQ(again.size(), live.size());

@@ -1,6 +1,11 @@
 #include "app/session_options.h"
 
-#include <gtest/gtest.h>
+#include "session_example.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <optional>
 
 namespace onestroke {
 namespace {
@@ -9,13 +14,14 @@ namespace fs = std::filesystem;
 
 TEST(SessionOptions, FilesAreNamedByTheirWholePaths) {
   const fs::path here = fs::current_path();
-  const SessionHeader header = session_header(
-      {.source = {.camera = "file:a/../b.mp4", .fov_deg = {}, .calibration = "lens.yaml", .readout_ms = 20},
-       .display = {},
-       .catalog = "c.json",
-       .stereo = true,
-       .fingers = false},
-      30);
+  RunOptions options;
+  options.source.camera = "file:a/../b.mp4";
+  options.source.calibration = "lens.yaml";
+  options.source.readout_ms = 20;
+  options.catalog = "c.json";
+  options.stereo = true;
+  options.fingers = false;
+  const SessionHeader header = session_header(options, 30);
   EXPECT_EQ(header.camera, "file:" + (here / "b.mp4").string());
   EXPECT_EQ(header.calibration, (here / "lens.yaml").string());
   EXPECT_EQ(header.catalog, (here / "c.json").string());
@@ -47,6 +53,54 @@ TEST(SessionOptions, AReplayIsAsTheLogSays) {
   EXPECT_EQ(options.frames, 5);
   given.source.camera = "file:other.mp4";
   EXPECT_EQ(replay_options(header, given).source.camera, "file:other.mp4");
+}
+
+class UsualLog : public test::FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    if (const char* before = std::getenv("XDG_STATE_HOME")) before_ = before;
+    setenv("XDG_STATE_HOME", folder.c_str(), 1);
+  }
+  void TearDown() override {
+    if (before_)
+      setenv("XDG_STATE_HOME", before_->c_str(), 1);
+    else
+      unsetenv("XDG_STATE_HOME");
+    FolderTest::TearDown();
+  }
+
+ private:
+  std::optional<std::string> before_;
+};
+
+TEST_F(UsualLog, OfAWindowIsAmongTheSessions) {
+  const auto log = open_session_log({}, "window", {});
+  ASSERT_NE(log, nullptr);
+  EXPECT_EQ(log->file().parent_path(), folder / "onestroke" / "sessions");
+  EXPECT_TRUE(fs::exists(log->file()));
+}
+
+TEST_F(UsualLog, ThatCannotBeHadCostsAMessage) {
+  write("in the way");
+  fs::rename(file, folder / "onestroke");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(open_session_log({}, "window", {}), nullptr);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, testing::AllOf(testing::HasSubstr("this session is not logged"), testing::HasSubstr("--log none")));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+}
+
+TEST_F(UsualLog, OfFilesIsAmongThem) {
+  const auto log = open_session_log({}, "offscreen:" + folder.string(), {});
+  ASSERT_NE(log, nullptr);
+  EXPECT_EQ(log->file(), folder / "session.jsonl");
+  RunOptions none;
+  none.log = "none";
+  EXPECT_EQ(open_session_log(none, "offscreen:" + folder.string(), {}), nullptr);
+  RunOptions named;
+  named.log = (folder / "b.jsonl").string();
+  EXPECT_EQ(open_session_log(named, "window", {})->file(), folder / "b.jsonl");
 }
 
 }  // namespace
