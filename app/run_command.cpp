@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 // any other.
 constexpr const char* plain_synthetic = "synthetic";
 constexpr const char* demo_camera = "synthetic:fingers=1,noise=2,blur=0.5";
-// What two hands do before the synthetic camera, once.
-constexpr double script_seconds = 24;
+// Of what has no end and does not come round.
+constexpr double film_seconds = 24;
 // How many frames a second a film has of what was shown on a screen.
 constexpr double screen_rate = 60;
 
@@ -85,7 +85,8 @@ ShowLimits limits_for(const RunOptions& options, const Camera& camera, bool offs
   ShowLimits limits = limits_for(options);
   // A folder would fill for ever.
   const bool endless = camera.length() == 0 && !camera.live() && !options.frames && !options.seconds;
-  if (endless && offscreen) limits.pictures = static_cast<std::size_t>(std::lround(script_seconds * camera.rate()));
+  if (endless && offscreen) limits.pictures = static_cast<std::size_t>(
+        std::lround((camera.period() > 0 ? camera.period() : film_seconds) * camera.rate()));
   return limits;
 }
 

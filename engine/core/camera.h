@@ -36,6 +36,8 @@ class Camera {
   virtual double rate() const = 0;
   /// How many pictures there will be; 0 where there is no end.
   virtual std::size_t length() const = 0;
+  /// Seconds after which a camera without an end begins again; 0 where it does not.
+  virtual double period() const { return 0; }
   /// The truth beside a picture, where it is known; valid as long as the picture is held.
   virtual std::span<const TrueMarker> truth(const Picture&) const { return {}; }
 };

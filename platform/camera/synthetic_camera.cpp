@@ -124,6 +124,8 @@ class SyntheticCamera : public Camera {
     return turns && !options_.live ? static_cast<std::size_t>(std::ceil(360 / options_.step_deg - 1e-6)) : 0;
   }
 
+  double period() const override { return shows_two_hands(options_.script) ? script_.period() : 0; }
+
   std::span<const TrueMarker> truth(const Picture& picture) const override {
     const std::size_t i = pool_.index(picture);
     return i < buffers ? std::span(truths_[i]).first(rods_.size()) : std::span<const TrueMarker>{};
