@@ -90,7 +90,7 @@ Model hollow(const Model& outer, const Model& inner) {
     vertex->normal = scaled(vertex->normal, -1);
   const auto first = static_cast<std::uint32_t>(outer.vertices.size());
   for (std::size_t i = 0; i < inner.indices.size(); i += 3)
-    for (const std::size_t corner : {0, 2, 1}) model.indices.push_back(first + inner.indices[i + corner]);
+    for (const std::size_t corner : {0U, 2U, 1U}) model.indices.push_back(first + inner.indices[i + corner]);
   return finished(std::move(model), "hollow", outer.materials.front());
 }
 
