@@ -38,11 +38,11 @@ class ReplayFeed final : public Feed {
   Camera* camera_;
   const SessionFrame* frame_ = nullptr;  // the reader's
   const FrameRecord none_{};
+  std::map<std::pair<int, int>, PicturePool> dark_;  // By width and height; outlives the handles below.
   PictureHandle picture_;
   PictureHandle ahead_;     // The camera's newest, where it is not yet the log's turn to show it.
   std::uint64_t seen_ = 0;  // One more than the number of the camera's newest.
   InlineVector<Key, SessionFrame::most_keys> keys_;
-  std::map<std::pair<int, int>, PicturePool> dark_;  // by width and height
   std::uint64_t dark_pictures_ = 0;
   std::string message_;
 };
