@@ -74,9 +74,9 @@ inline constexpr const char* run_examples = R"(Examples:
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
 section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.
 
-Keys in a window: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or by
-their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is known of
-the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape ends.)";
+Keys in a window: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or
+by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is
+known of the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape ends.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

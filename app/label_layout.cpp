@@ -51,25 +51,41 @@ double crowding(const Placed& a, const Placed& b, double em) {
   return std::clamp(1 - apart / (lift_within_ems * em), 0.0, 1.0);
 }
 
+struct Beside {
+  double depth, u, v, clear;  // of the ball: px, and how far a card stays away from its middle
+  double width, height, edge;
+};
+
+Beside beside(const View& view, const LabelWish& card) {
+  const double em = text_em(view), focal = focal_of(view);
+  Vec3 centre = inverse(view.T_world_view) * card.centre_world;
+  centre.z = std::max(centre.z, nearest);
+  const TextSize size = measure(card.text);
+  return {.depth = centre.z,
+          .u = (centre.x / centre.z - view.fov.left) * focal,
+          .v = (centre.y / centre.z + view.fov.up) * focal,
+          .clear = card.reach / centre.z * focal + gap_ems * em,
+          .width = (static_cast<double>(size.width) + plate_width_ems) * em,
+          .height = (static_cast<double>(size.height) + plate_width_ems / 2) * em,
+          .edge = edge_ems * em};
+}
+
 }  // namespace
 
-CardPlace place_card(const View& view, std::string_view text, Vec3 centre_world, double reach, bool to_right) {
-  const double em = text_em(view), focal = focal_of(view), edge = edge_ems * em;
-  Vec3 centre = inverse(view.T_world_view) * centre_world;
-  centre.z = std::max(centre.z, nearest);
-  const TextSize size = measure(text);
-  const double width = (static_cast<double>(size.width) + plate_width_ems) * em;
-  const double height = (static_cast<double>(size.height) + plate_width_ems / 2) * em;
-  const double u = (centre.x / centre.z - view.fov.left) * focal, v = (centre.y / centre.z + view.fov.up) * focal;
-  const double clear = reach / centre.z * focal + gap_ems * em;
-  // On the other side where this one has no room.
-  const bool room_right = u + clear + width + edge<view.viewport.width, room_left = u - clear - width - edge> 0;
-  const bool right = to_right ? room_right || !room_left : room_right && !room_left;
-  const double left =
-      std::clamp(right ? u + clear : u - clear - width, edge, std::max(edge, view.viewport.width - width - edge));
-  const double top = std::clamp(v - height / 2, edge, std::max(edge, view.viewport.height - height - edge));
-  const Vec3 in_view{(left / focal + view.fov.left) * centre.z, (top / focal - view.fov.up) * centre.z, centre.z};
-  return {view.T_world_view * in_view, em};
+bool card_fits_right(const View& view, const LabelWish& card, bool wanted) {
+  const Beside b = beside(view, card);
+  const bool right = b.u + b.clear + b.width + b.edge<view.viewport.width, left = b.u - b.clear - b.width - b.edge> 0;
+  return right == left ? wanted : right;
+}
+
+CardPlace place_card(const View& view, const LabelWish& card, bool to_right) {
+  const Beside b = beside(view, card);
+  const double focal = focal_of(view);
+  const double left = std::clamp(to_right ? b.u + b.clear : b.u - b.clear - b.width, b.edge,
+                                 std::max(b.edge, view.viewport.width - b.width - b.edge));
+  const double top = std::clamp(b.v - b.height / 2, b.edge, std::max(b.edge, view.viewport.height - b.height - b.edge));
+  const Vec3 in_view{(left / focal + view.fov.left) * b.depth, (top / focal - view.fov.up) * b.depth, b.depth};
+  return {view.T_world_view * in_view, text_em(view)};
 }
 
 void place_labels(const View& view, std::span<const LabelWish> wishes, std::span<std::optional<LabelPlace>> places) {

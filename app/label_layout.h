@@ -26,9 +26,10 @@ struct CardPlace {
   double height_px = 0;
 };
 
-/// Puts a text of several lines beside its ball, to its right or left, inside the view, so that it covers the ball as
-/// little as can be.
-CardPlace place_card(const View& view, std::string_view text, Vec3 centre_world, double reach, bool to_right);
+/// On which side of its ball a text of several lines has room: that which is asked for, where both have or neither has.
+bool card_fits_right(const View& view, const LabelWish& card, bool wanted);
+/// Puts it there, inside the view. Moves without jumps as the ball does.
+CardPlace place_card(const View& view, const LabelWish& card, bool to_right);
 
 /// Puts each label above its ball as the view sees it, inside the view, and lifts the first where two would overlap.
 /// Moves without jumps as the balls do. No place for what is behind the view.

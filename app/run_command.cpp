@@ -85,8 +85,9 @@ ShowLimits limits_for(const RunOptions& options, const Camera& camera, bool offs
   ShowLimits limits = limits_for(options);
   // A folder would fill for ever.
   const bool endless = camera.length() == 0 && !camera.live() && !options.frames && !options.seconds;
-  if (endless && offscreen) limits.pictures = static_cast<std::size_t>(
-        std::lround((camera.period() > 0 ? camera.period() : film_seconds) * camera.rate()));
+  if (endless && offscreen)
+    limits.pictures =
+        static_cast<std::size_t>(std::lround((camera.period() > 0 ? camera.period() : film_seconds) * camera.rate()));
   return limits;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace onestroke {
 namespace {
@@ -196,10 +197,15 @@ void TwoHands::add_cards(const View& view) {
   for (const Hand h : both_hands) {
     const HandView& hand = compared[h];
     const ShelfEntry* entry = shelf_.find(hand.marker_id);
-    const double opacity = hand.card * hand.opacity;
-    if (!entry || opacity <= 0) continue;
-    const CardPlace place = place_card(view, entry->card, hand.world_from_marker * entry->placement.pivot,
-                                       entry->placement.reach, h == Hand::right);
+    const double opacity = hand.card * hand.opacity * hand.shown;
+    bool& right = card_right_[static_cast<std::size_t>(h)];
+    bool& shown = card_shown_[static_cast<std::size_t>(h)];
+    const bool before = std::exchange(shown, entry && opacity > 0);
+    if (!shown) continue;
+    const LabelWish card{entry->card, hand.world_from_marker * entry->placement.pivot, entry->placement.reach};
+    // It stays on the side that it came on.
+    if (!before) right = card_fits_right(view, card, h == Hand::right);
+    const CardPlace place = place_card(view, card, right);
     builder_.labels.push_back({.text = entry->card,
                                .position_world = place.position_world,
                                .height_px = place.height_px,

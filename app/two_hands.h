@@ -65,7 +65,8 @@ class TwoHands {
   MeasureDrawing measure_;
   DifferenceLegend legend_;
   const DifferenceDesk::Result* difference_ = nullptr;
-  Eased map_;  // the map in place of the model that is laid
+  Eased map_;                                        // the map in place of the model that is laid
+  std::array<bool, 2> card_right_{}, card_shown_{};  // by hand
   bool words_ = true, started_ = false;
   Time last_;
   std::array<Text, 3> statistics_;

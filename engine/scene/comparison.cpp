@@ -103,7 +103,9 @@ void Comparison::follow_card(Hand h, const Pose& T_world_camera, Duration step, 
       m.near_since = now;
     m.near = m.near || (m.near_since && now - *m.near_since >= card_after);
   }
-  m.card.update((m.near || cards_) && (held.held || m.frozen), step);
+  // A stick that is a tool comes near for another reason.
+  const bool near = m.near && mode_.tool == Tool::none;
+  m.card.update((near || cards_) && (held.held || m.frozen), step);
 }
 
 void Comparison::press_keys(Time now) {

@@ -158,9 +158,9 @@ constexpr std::array card_left{
 };
 constexpr std::array card_right{
     Key{0.0, 0.6, middle, {75, 4, 400}, {-10, 16, 0}},  // far
-    Key{2.1, 2.5, middle, {5, 4, 248}, {-10, 16, 0}},  // near
-    Key{3.4, 3.6, middle, {5, 4, 248}, {25, 16, 0}},   // turned
-    Key{4.6, 5.0, middle, {5, 4, 248}, {-20, 16, 0}},  // the other way
+    Key{2.1, 2.5, middle, {-8, 4, 248}, {-10, 16, 0}},  // near
+    Key{3.4, 3.6, middle, {-8, 4, 248}, {25, 16, 0}},   // turned
+    Key{4.6, 5.0, middle, {-8, 4, 248}, {-20, 16, 0}},  // the other way
     Key{6.5, 8.6, middle, {75, 4, 400}, {-10, 16, 0}},
 };
 

@@ -205,7 +205,7 @@ TEST(Registration, AnchorsStayOnTheCornersOfTheirSticksInEveryView) {
       // A linked model that follows the other stick has its corner elsewhere.
       const auto own = std::ranges::find(record.seen(), hand.marker_id, &MarkerObservation::id);
       const Pose T_world_marker = record.T_world_camera * own->T_camera_marker;
-      if (angle_between(T_world_marker.rotation, hand.T_world_model.rotation) > 1e-6) continue;
+      if (angle_between(T_world_marker.rotation, hand.world_from_marker.rotation) > 1e-6) continue;
       const auto truth = std::ranges::find(camera->truth(*picture), hand.marker_id, &TrueMarker::id);
       ASSERT_NE(truth, camera->truth(*picture).end());
       const Pixel seen = shown_at(picture->intrinsics, truth->T_camera_marker.translation);
@@ -213,9 +213,9 @@ TEST(Registration, AnchorsStayOnTheCornersOfTheirSticksInEveryView) {
       const Pixel found = shown_at(picture->intrinsics, own->T_camera_marker.translation);
       const Pixel off{found.u - seen.u, found.v - seen.v};
       std::vector<Pixel> is, shown;
-      mono.find(*picture, scene.passthrough_segments, seen, hand.T_world_model.translation, is, shown);
+      mono.find(*picture, scene.passthrough_segments, seen, hand.world_from_marker.translation, is, shown);
       one.add(is[0], shown[0], off);
-      stereo.find(*picture, scene.passthrough_segments, seen, hand.T_world_model.translation, is, shown);
+      stereo.find(*picture, scene.passthrough_segments, seen, hand.world_from_marker.translation, is, shown);
       left.add(is[0], shown[0], off);
       right.add(is[1], shown[1], off);
     }

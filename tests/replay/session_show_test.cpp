@@ -58,7 +58,7 @@ class SessionShow : public testing::Test {
                         .catalog = &catalog});
   }
   Graphics graphics_for(Display& display) const {
-    return Graphics(display, {.catalog = catalog, .folder = assets, .models_first = true, .gpu = {}});
+    return Graphics(display, {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
   }
 
   std::vector<golden::Picture> show_live(const std::map<std::size_t, Key>& presses) const {
@@ -96,7 +96,7 @@ TEST_F(SessionShow, ItsKeysAreInTheLog) {
   const std::string log(std::istreambuf_iterator<char>(in), {});
   EXPECT_NE(log.find("\"bracket v1\""), std::string::npos) << "a stick is there";
   EXPECT_NE(log.find("\"events\":[\"Link\"]"), std::string::npos);
-  EXPECT_NE(log.find("\"events\":[\"Part\"]"), std::string::npos);
+  EXPECT_NE(log.find("\"events\":[\"Mirror\"]"), std::string::npos);
   const auto again = show_again();
   ASSERT_EQ(live.size(), 14u) << "12 pictures, and 2 frames of a pause";
   ASSERT_EQ(again.size(), live.size());

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -121,6 +123,13 @@ TEST(CompareModes, AreWrittenOutALineARule) {
   EXPECT_NE(table.find("| side by side | start tips together | L | linked | Link |"), std::string::npos) << table;
   EXPECT_NE(table.find("| overlay | corners parted | O | what was before |  |"), std::string::npos);
   EXPECT_NE(table.find("| any | end tips together | P | a snapshot is saved | Snapshot |"), std::string::npos);
+}
+
+TEST(CompareModes, StandInTheManualAsTheyAre) {
+  std::ifstream file(ONESTROKE_SOURCE_DIR "/README.md");
+  const std::string manual((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_NE(manual.find("\n" + mode_table() + "\n"), std::string::npos);
+  EXPECT_NE(manual.find("```mermaid\n" + mode_diagram() + "```\n"), std::string::npos);
 }
 
 TEST(CompareModes, AreDrawnAnArrowARule) {
