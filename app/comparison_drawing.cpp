@@ -3,7 +3,7 @@
 namespace onestroke {
 namespace {
 
-constexpr Color ring_color{0.95F, 0.72F, 0.1F, 1}, point_color{0.95F, 0.72F, 0.1F, 1}, line_color{1, 1, 1, 0.9F};
+constexpr Color ring_color{0.95F, 0.72F, 0.1F, 1}, line_color{1, 1, 1, 0.9F};
 
 /// So many pixels above a place, as the view sees it.
 Vec3 above(const View& view, Vec3 place_world, double pixels) {

@@ -18,7 +18,7 @@ std::vector<Vec3> ring_middles(const Shape& shape) {
 
 /// A stroke's corner is its middle one, a straight one's its middle.
 StickPoints touch_points(const Shape& shape) {
-  const std::vector<Vec3> corners = shape.vertices();
+  const std::vector<Vec3>& corners = shape.vertices();
   const Vec3 middle = corners.size() > 2 ? corners[corners.size() / 2] : 0.5 * (corners.front() + corners.back());
   return {corners.front(), middle, corners.back()};
 }

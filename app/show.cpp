@@ -137,8 +137,8 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   const FrameRecord& record = parts_.feed.record();
   // A panel on a desk; before the eyes a line is enough.
   const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
-  std::string_view status = notice();
-  if (status.empty() && !desktop) status = status_.update(meter_.figures());
+  const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
+  hands_.say(notice());
   FrameScene scene = hands_.update(record, parts_.feed.now(), frame.seen(), status);
   scene.fingers = fingers_;
   if (hands_.comparison().snapshot) take_snapshot(scene, frame.views[0]);

@@ -68,6 +68,9 @@ const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::spa
     if (comparison_.view().offer) draw_offer(builder_, view, *comparison_.view().offer);
     if (difference_) legend_.draw(builder_, view, difference_->statistics, map_.value());
     if (words_) add_words(view, status);
+    if (!notice_.empty())
+      add_text(notice_, view.viewport.width - 0.8 * text_em(view), view.viewport.height - 0.8 * text_em(view), 1, 1,
+               text_em(view));
   }
   scene_.passthrough_segments = picture_depth_.update(record, now);
   builder_.give(scene_);

@@ -33,6 +33,8 @@ class TwoHands {
   void shelf_is_new() { comparison_.carry(shelf_.carried()); }
   /// False where the key means nothing to the comparison.
   bool press(char key) { return comparison_.press(key); }
+  /// For the screen's lower right corner, from the next frame on; lives until then. Empty for nothing.
+  void say(std::string_view notice) { notice_ = notice; }
   void toggle_words() { words_ = !words_; }
   bool words() const { return words_; }
 
@@ -69,6 +71,7 @@ class TwoHands {
   std::array<bool, 2> card_right_{}, card_shown_{};  // by hand
   bool words_ = true, started_ = false;
   Time last_;
+  std::string_view notice_;
   std::array<Text, 3> statistics_;
   SceneBuilder builder_;
   FrameScene scene_;

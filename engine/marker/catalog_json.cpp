@@ -11,15 +11,15 @@
 namespace onestroke {
 namespace {
 
-using json = nlohmann::ordered_json;  // Notes keep their order.
+using Json = nlohmann::ordered_json;  // Notes keep their order.
 
 /// The JSON library keeps the last of two equal keys; here the second is an error.
 class DuplicateKeys {
  public:
-  bool operator()(int, json::parse_event_t event, json& parsed) {
-    if (event == json::parse_event_t::object_start) open_.emplace_back();
-    if (event == json::parse_event_t::object_end) open_.pop_back();
-    if (event == json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
+  bool operator()(int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open_.emplace_back();
+    if (event == Json::parse_event_t::object_end) open_.pop_back();
+    if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
       throw Error("key \"" + parsed.get<std::string>() + "\" is given twice in one object");
     return true;
   }
@@ -28,10 +28,10 @@ class DuplicateKeys {
   std::vector<std::set<std::string>> open_;
 };
 
-json parse(const std::string& text) {
+Json parse(const std::string& text) {
   try {
-    return json::parse(text, DuplicateKeys{});
-  } catch (const json::exception& error) {
+    return Json::parse(text, DuplicateKeys{});
+  } catch (const Json::exception& error) {
     // The library's message without its own error number, e.g. "at line 3, column 7: ...".
     std::string what = error.what();
     what.erase(0, std::min(what.size(), what.find("] ") + 2));
@@ -42,17 +42,17 @@ json parse(const std::string& text) {
 /// One JSON object, every key of which must be asked for.
 class Object {
  public:
-  Object(const json& value, const std::string& what) : value_(value) {
+  Object(const Json& value, const std::string& what) : value_(value) {
     if (!value.is_object()) throw Error(what + " must be an object, not " + value.type_name());
   }
 
-  const json* optional(const std::string& key) {
+  const Json* optional(const std::string& key) {
     known_.insert(key);
     const auto found = value_.find(key);
     return found == value_.end() ? nullptr : &*found;
   }
-  const json& required(const std::string& key) {
-    const json* found = optional(key);
+  const Json& required(const std::string& key) {
+    const Json* found = optional(key);
     if (found == nullptr) throw Error("key \"" + key + "\" is missing");
     return *found;
   }
@@ -64,7 +64,7 @@ class Object {
   std::string text(const std::string& key) { return text(key, required(key)); }
   double number(const std::string& key) { return number(key, required(key)); }
   int integer(const std::string& key) {
-    const json& value = required(key);
+    const Json& value = required(key);
     if (!value.is_number_integer()) throw Error("\"" + key + "\" must be a whole number");
     const bool fits = value.is_number_unsigned()
                           ? value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<int>::max()}
@@ -73,27 +73,27 @@ class Object {
     return value.get<int>();
   }
 
-  static std::string text(const std::string& key, const json& value) {
+  static std::string text(const std::string& key, const Json& value) {
     if (!value.is_string()) throw Error("\"" + key + "\" must be a text, not " + value.type_name());
     return value.get<std::string>();
   }
-  static double number(const std::string& key, const json& value) {
+  static double number(const std::string& key, const Json& value) {
     if (!value.is_number()) throw Error("\"" + key + "\" must be a number, not " + value.type_name());
     return value.get<double>();
   }
 
  private:
-  const json& value_;
+  const Json& value_;
   std::set<std::string> known_;
 };
 
-Vec3 vertex_from(const json& value) {
+Vec3 vertex_from(const Json& value) {
   if (!value.is_array() || value.size() != 3) throw Error("each of \"vertices\" must be [x, y, z] in millimetres");
   const std::string what = "vertices";
   return {Object::number(what, value[0]), Object::number(what, value[1]), Object::number(what, value[2])};
 }
 
-Shape shape_from(const json& value) {
+Shape shape_from(const Json& value) {
   Object object(value, "\"shape\"");
   const std::string kind = object.text("kind");
   if (kind != "angle" && kind != "stroke" && kind != "line")
@@ -103,16 +103,16 @@ Shape shape_from(const json& value) {
   const double bend = kind == "line" ? 0 : object.number("bend_radius");
   std::vector<Vec3> vertices;
   if (kind == "stroke") {
-    const json& list = object.required("vertices");
+    const Json& list = object.required("vertices");
     if (!list.is_array()) throw Error("\"vertices\" must be a list of [x, y, z]");
-    for (const json& vertex : list) vertices.push_back(vertex_from(vertex));
+    for (const Json& vertex : list) vertices.push_back(vertex_from(vertex));
   }
   object.refuse_unknown();
   if (kind == "stroke") return Shape::stroke(cells, pitch, radius, bend, std::move(vertices));
   return kind == "angle" ? Shape::angle(cells, pitch, radius, bend) : Shape::line(cells, pitch, radius);
 }
 
-Cells code_from(const json* cells, const json* value, int count) {
+Cells code_from(const Json* cells, const Json* value, int count) {
   if ((cells != nullptr) == (value != nullptr)) throw Error("give either \"cells\" or \"value\"");
   if (cells != nullptr) return cells_from_letters(Object::text("cells", *cells));
   if (!value->is_number_unsigned()) throw Error("\"value\" must be a whole number, 0 or more");
@@ -128,7 +128,7 @@ std::string one_of(const std::array<std::string_view, N>& words) {
 }
 
 template <class Value, std::size_t N>
-Value word_from(const std::string& key, const json& value, std::optional<Value> (*find)(std::string_view),
+Value word_from(const std::string& key, const Json& value, std::optional<Value> (*find)(std::string_view),
                 const std::array<std::string_view, N>& words) {
   const std::string word = Object::text(key, value);
   const std::optional<Value> found = find(word);
@@ -136,7 +136,7 @@ Value word_from(const std::string& key, const json& value, std::optional<Value> 
   return *found;
 }
 
-std::vector<ModelNote> notes_from(const json& value) {
+std::vector<ModelNote> notes_from(const Json& value) {
   if (!value.is_object()) throw Error("\"notes\" must be an object, not " + std::string(value.type_name()));
   std::vector<ModelNote> notes;
   for (const auto& [key, text] : value.items()) {
@@ -147,7 +147,7 @@ std::vector<ModelNote> notes_from(const json& value) {
 }
 
 /// A file name, or an object that says more.
-void read_model(const json& value, MarkerSpec& marker) {
+void read_model(const Json& value, MarkerSpec& marker) {
   if (!value.is_object()) {
     if (!value.is_string())
       throw Error("\"model\" must be a text, or an object with \"file\", not " + std::string(value.type_name()));
@@ -156,24 +156,24 @@ void read_model(const json& value, MarkerSpec& marker) {
   }
   Object object(value, "\"model\"");
   marker.model = object.text("file");
-  if (const json* unit = object.optional("unit"))
+  if (const Json* unit = object.optional("unit"))
     marker.import.unit = word_from<LengthUnit>("unit", *unit, length_unit_of, length_unit_words);
-  if (const json* up = object.optional("up"))
+  if (const Json* up = object.optional("up"))
     marker.import.up = word_from<UpAxis>("up", *up, up_axis_of, up_axis_words);
-  if (const json* fit = object.optional("fit")) marker.import.fit = Object::number("fit", *fit);
-  if (const json* name = object.optional("name")) marker.model_name = Object::text("name", *name);
-  if (const json* version = object.optional("version")) marker.version = Object::text("version", *version);
-  if (const json* notes = object.optional("notes")) marker.notes = notes_from(*notes);
+  if (const Json* fit = object.optional("fit")) marker.import.fit = Object::number("fit", *fit);
+  if (const Json* name = object.optional("name")) marker.model_name = Object::text("name", *name);
+  if (const Json* version = object.optional("version")) marker.version = Object::text("version", *version);
+  if (const Json* notes = object.optional("notes")) marker.notes = notes_from(*notes);
   object.refuse_unknown();
 }
 
-MarkerSpec marker_from(const json& value) {
+MarkerSpec marker_from(const Json& value) {
   Object object(value, "an entry of \"markers\"");
   const int id = object.integer("id");
   std::string name = object.text("name");
   Shape shape = shape_from(object.required("shape"));
   Cells cells = code_from(object.optional("cells"), object.optional("value"), shape.cells());
-  const json* model = object.optional("model");
+  const Json* model = object.optional("model");
   object.refuse_unknown();
   MarkerSpec marker{id, std::move(name), std::move(cells), std::move(shape), ""};
   if (model != nullptr) read_model(*model, marker);
@@ -182,20 +182,20 @@ MarkerSpec marker_from(const json& value) {
 }
 
 /// An entry's name for messages, where it has one that can be read.
-std::string name_in(const json& entry) {
+std::string name_in(const Json& entry) {
   if (!entry.is_object()) return {};
   const auto name = entry.find("name");
   return name != entry.end() && name->is_string() ? name->get<std::string>() : "";
 }
 
-Catalog catalog_from(const json& document) {
+Catalog catalog_from(const Json& document) {
   Object object(document, "the catalogue");
-  const json& entries = object.required("markers");
+  const Json& entries = object.required("markers");
   object.refuse_unknown();
   if (!entries.is_array()) throw Error("\"markers\" must be a list");
   Catalog catalog;
   Uniqueness unique;
-  for (const json& entry : entries) {
+  for (const Json& entry : entries) {
     const std::string label = entry_label(static_cast<long long>(catalog.markers.size()) + 1, name_in(entry));
     try {
       catalog.markers.push_back(marker_from(entry));
@@ -208,9 +208,9 @@ Catalog catalog_from(const json& document) {
   return catalog;
 }
 
-json to_json_value(const Shape& shape) {
+Json to_json_value(const Shape& shape) {
   constexpr std::string_view kinds[] = {"angle", "stroke", "line"};
-  json value{{"kind", kinds[static_cast<int>(shape.kind())]},
+  Json value{{"kind", kinds[static_cast<int>(shape.kind())]},
              {"cells", shape.cells()},
              {"pitch", shape.pitch()},
              {"radius", shape.radius()}};
@@ -220,8 +220,8 @@ json to_json_value(const Shape& shape) {
   return value;
 }
 
-json model_value(const MarkerSpec& marker) {
-  json value{{"file", marker.model}};
+Json model_value(const MarkerSpec& marker) {
+  Json value{{"file", marker.model}};
   if (marker.import.unit) value["unit"] = word_of(*marker.import.unit);
   if (marker.import.up) value["up"] = word_of(*marker.import.up);
   if (marker.import.fit) value["fit"] = *marker.import.fit;
@@ -246,12 +246,12 @@ std::string to_json(const Catalog& catalog) {
   std::string text = "{\"markers\": [";
   const char* separator = "\n";
   for (const MarkerSpec& marker : catalog.markers) {
-    json value{{"id", marker.id},
+    Json value{{"id", marker.id},
                {"name", marker.name},
                {"cells", to_letters(marker.cells)},
                {"shape", to_json_value(marker.shape)}};
     if (!marker.model.empty()) value["model"] = model_value(marker);
-    text += separator + value.dump(-1, ' ', false, json::error_handler_t::replace);
+    text += separator + value.dump(-1, ' ', false, Json::error_handler_t::replace);
     separator = ",\n";
   }
   return text + "\n]}\n";
