@@ -97,7 +97,7 @@ std::string snapshot_numbers(const Catalog& catalog, const FrameRecord& record, 
   if (compared.mode.tool == Tool::section) json["cutting_hand"] = word(compared.pointer);
   if (compared.measure.count > 0) json["measured"] = measured(compared.measure);
   if (difference) json["difference"] = difference_of(*difference);
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace onestroke

@@ -37,7 +37,7 @@ class TouchGesture {
   static constexpr double clearly_nearer = 1.5;
   static constexpr double parted_factor = 1.8;
   /// Faster than this, of one place against the other, nothing is being held; mm/s.
-  static constexpr double still_mm_s = 90;
+  static constexpr double still_mm_s = 50;
   static constexpr Duration hold = Duration::from_ms(800);
   static constexpr Duration longest_gap = Duration::from_ms(250);
 

@@ -1,10 +1,12 @@
 #include "app/label_layout.h"
+#include "app/scene_builder.h"
 #include "app/status_line.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace onestroke {
@@ -31,6 +33,31 @@ std::array<std::optional<LabelPlace>, 2> places(const View& view, LabelWish a, L
   std::array<std::optional<LabelPlace>, 2> result;
   place_labels(view, std::array{a, b}, result);
   return result;
+}
+
+TEST(TextSize, IsADegreeOfVisualAngleAtLeast) {
+  for (const double fov_deg : {40.0, 60.0, 90.0, 110.0})
+    for (const int height : {480, 720, 2000}) {
+      const View view{
+          .T_world_view = {},
+          .fov = fov_of(Intrinsics::from_fov(height, height, fov_deg * std::numbers::pi / 180), height, height),
+          .viewport = {0, 0, height, height}};
+      const double seen = std::atan(pixel_at(view, 1) * text_em(view));
+      EXPECT_GE(seen * 180 / std::numbers::pi, 1 - 1e-9) << fov_deg << " degrees, " << height << " pixels";
+    }
+}
+
+TEST(CardLayout, StandsBesideItsBallWhereThereIsRoom) {
+  const View view = view_of();
+  const LabelWish left{"Bracket v1\nmaterial: steel", {-90, 0, 400}, 40}, right{left.text, {150, 0, 400}, 40};
+  EXPECT_TRUE(card_fits_right(view, left, true));
+  EXPECT_FALSE(card_fits_right(view, left, false)) << "both sides have room";
+  EXPECT_FALSE(card_fits_right(view, right, true)) << "only the left one has";
+  const double reach = 40.0 / 400 * 720 / (view.fov.up - view.fov.down);
+  EXPECT_GT(seen(view, place_card(view, left, true).position_world).u, seen(view, left.centre_world).u + reach);
+  EXPECT_LT(seen(view, place_card(view, right, false).position_world).u, seen(view, right.centre_world).u - reach);
+  // Inside the view, also where it is asked to the side without room.
+  EXPECT_GT(seen(view, place_card(view, {left.text, {-300, -200, 400}, 40}, false).position_world).u, 0);
 }
 
 TEST(LabelLayout, StandsAboveWhatItNames) {

@@ -54,22 +54,38 @@ class HandMotion {
   Pose from_, to_;
 };
 
-/// The tracker: noise, more along the line of sight, and times at which it does not see a stick.
+/// The tracker: noise, more along the line of sight, times at which it sees neither stick, and times at which a hand
+/// covers one.
 class NoisyEyes {
  public:
   explicit NoisyEyes(std::uint32_t seed) : random_(seed) {}
 
-  std::optional<std::array<Pose, 2>> see(const Pose& left, const Pose& right, double seconds) {
-    if (seconds > next_gap_) {
-      gap_ends_ = seconds + uniform(0.03, 0.3);
-      next_gap_ = gap_ends_ + uniform(0.5, 6);
-    }
-    if (seconds < gap_ends_) return std::nullopt;
-    return std::array{noisy(left), noisy(right)};
+  std::array<std::optional<Pose>, 2> see(const Pose& left, const Pose& right, double seconds) {
+    const bool dropped = drop_out_.lasts(seconds, random_, 0.3);
+    const std::array covered{covers_[0].lasts(seconds, random_, 0.2), covers_[1].lasts(seconds, random_, 0.2)};
+    std::array<std::optional<Pose>, 2> seen{noisy(left), noisy(right)};
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      if (dropped || covered[i]) seen[i].reset();
+    return seen;
   }
 
  private:
-  double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
+  /// Comes and goes.
+  struct Gap {
+    double next = 1, ends = 0;
+
+    bool lasts(double seconds, std::mt19937& random, double longest) {
+      const auto uniform = [&random](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+      };
+      if (seconds > next) {
+        ends = seconds + uniform(0.03, longest);
+        next = ends + uniform(0.5, 6);
+      }
+      return seconds < ends;
+    }
+  };
+
   Pose noisy(Pose T) {
     std::normal_distribution<double> one(0, 1);
     T.translation = T.translation + Vec3{0.1 * one(random_), 0.1 * one(random_), 0.6 * one(random_)};
@@ -78,7 +94,8 @@ class NoisyEyes {
   }
 
   std::mt19937 random_;
-  double next_gap_ = 1, gap_ends_ = 0;
+  Gap drop_out_;
+  std::array<Gap, 2> covers_;
 };
 
 }  // namespace onestroke

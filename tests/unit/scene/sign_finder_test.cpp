@@ -22,14 +22,14 @@ class Session {
   const ComparisonView& show(const Pose& left, const Pose& right) {
     const double t = frame_ / rate;
     const auto seen = eyes_.see(left, right, t);
-    Stick a{.id = 1}, b{.id = 2};
-    if (seen) {
-      a.place = (*seen)[0].translation, a.rotation = (*seen)[0].rotation;
-      b.place = (*seen)[1].translation, b.rotation = (*seen)[1].rotation;
-    } else {
-      a.state = b.state = MarkerState::lost;
+    std::array sticks{Stick{.id = 1}, Stick{.id = 2}};
+    for (std::size_t i = 0; i < sticks.size(); ++i) {
+      if (seen[i])
+        sticks[i].place = seen[i]->translation, sticks[i].rotation = seen[i]->rotation;
+      else
+        sticks[i].state = MarkerState::lost;
     }
-    return comparison_.update(record_of({a, b}), Time{} + Duration::from_seconds(frame_++ / rate));
+    return comparison_.update(record_of({sticks[0], sticks[1]}), Time{} + Duration::from_seconds(frame_++ / rate));
   }
   double seconds() const { return frame_ / rate; }
   void press(char key) { comparison_.press(key); }
