@@ -87,7 +87,9 @@ void Comparison::follow_motion(Hand h, Duration step) {
   if (held.held) m.id = held.id;
   m.fresh = m.presence.value() <= 0;
   if (m.fresh) m.turn.reset(hands_[h].T_world_marker.rotation);
-  m.presence.update(held.visible() || m.frozen, step, fade_in, fade_out);
+  // A model that is laid on another needs no stick to be seen.
+  const bool laid = mode_.laid_over() && h != base_ && hands_[base_].visible();
+  m.presence.update(held.visible() || m.frozen || laid, step, fade_in, fade_out);
   m.turn.update(held.T_world_marker.rotation, step);
 }
 
@@ -119,7 +121,8 @@ void Comparison::press_keys(Time now) {
 void Comparison::look_for_signs(Time now) {
   StickPair pair;
   pair.both_visible = view_.both_visible;
-  pair.both_held = hands_[Hand::left].held && hands_[Hand::right].held;
+  const auto there = [&](Hand h) { return hands_[h].held && now - hands_[h].seen < gone_after; };
+  pair.both_held = there(Hand::left) && there(Hand::right);
   for (const Hand h : both_hands)
     for (std::size_t i = 0; i < pair.points[0].size(); ++i)
       pair.points[static_cast<std::size_t>(h)][i] = hands_[h].T_world_marker * carried_by(h).points[i];

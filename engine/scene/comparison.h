@@ -39,6 +39,10 @@ class Comparison {
   static constexpr double clearly_more = 2;
   /// A leader out of sight for so long hands the lead to the visible stick.
   static constexpr Duration leader_missed = Duration::from_ms(300);
+  /// A mode of two sticks ends when one was not seen for so long: what is shown of it can then fade before its hand
+  /// forgets it.
+  static constexpr Duration gone_after = Duration::from_ms(1000);
+  static_assert(gone_after + fade_out < Hands::forgotten_after);
   /// A plane that cuts keeps the side away from the eyes; the sine of how far it turns past them before it keeps the
   /// other one.
   static constexpr double turns_over = 0.2;

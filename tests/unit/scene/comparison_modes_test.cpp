@@ -114,10 +114,17 @@ TEST_F(ComparisonModes, ALostStickEndsTheOverlay) {
   hold(StickPoint::corner, StickPoint::corner);
   run(1300);
   right_.state = MarkerState::lost;
-  run(1000);
+  run(900);
   EXPECT_EQ(view().mode.tool, Tool::overlay);
-  run(800);
+  EXPECT_EQ(view()[Hand::right].opacity, 1) << "where it is laid is known all the same";
+  double largest_fade = 0, before = 1;
+  run(800, [&](double) {
+    largest_fade = std::max(largest_fade, std::abs(view()[Hand::right].opacity - before));
+    before = view()[Hand::right].opacity;
+  });
   EXPECT_EQ(view().mode.tool, Tool::none);
+  EXPECT_EQ(view()[Hand::right].opacity, 0);
+  EXPECT_LT(largest_fade, 0.1);
 }
 
 TEST_F(ComparisonModes, AFrozenModelStaysWhileItsStickMoves) {
