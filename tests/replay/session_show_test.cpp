@@ -58,7 +58,8 @@ class SessionShow : public testing::Test {
                         .catalog = &catalog});
   }
   Graphics graphics_for(Display& display) const {
-    return Graphics(display, {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
+    return Graphics(display,
+                    {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
   }
 
   std::vector<golden::Picture> show_live(const std::map<std::size_t, Key>& presses) const {
