@@ -8,8 +8,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace onestroke {
 
@@ -23,7 +21,6 @@ struct SessionHeader {
   std::optional<double> readout_ms{};
   double rate = 0;  ///< Frames a second of the display's time; 0 for a screen's own.
   bool stereo = false, fingers = true, left_handed = false;
-  std::vector<std::pair<std::string, std::string>> settings{};  ///< More, by name; keys are unique.
 };
 
 /// A picture as far as it must be known to stand in for it.

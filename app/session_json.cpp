@@ -222,8 +222,6 @@ std::string session_line(const SessionHeader& header) {
   line["stereo"] = header.stereo;
   line["fingers"] = header.fingers;
   line["left_handed"] = header.left_handed;
-  line["settings"] = Json::object();
-  for (const auto& [key, value] : header.settings) line["settings"][key] = value;
   return dump(line);
 }
 
@@ -269,8 +267,6 @@ SessionHeader header_of_line(const std::string& text) {
     line.at("stereo").get_to(header.stereo);
     line.at("fingers").get_to(header.fingers);
     line.at("left_handed").get_to(header.left_handed);
-    for (const auto& [key, value] : line.at("settings").items())
-      header.settings.emplace_back(key, value.get<std::string>());
     return header;
   });
 }

@@ -8,7 +8,7 @@ namespace onestroke {
 
 /// The lines of a session's log, one JSON object each, here without the line's end:
 ///
-///   {"onestroke_session": 1, "program": "1.0", "camera": ..., "catalog": ..., "rate": 30, "settings": {...}, ...}
+///   {"onestroke_session": 1, "program": "1.0", "camera": ..., "catalog": ..., "rate": 30, ...}
 ///   {"now_ns": 0, "picture": true, "keys": ["l", 32], "events": ["Link"], "lens": {...}, "record": {...}}
 ///   {"missed": 3}
 ///

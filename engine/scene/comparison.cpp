@@ -82,6 +82,11 @@ void Comparison::exchange_hands() {
 void Comparison::follow_motion(Hand h, Duration step) {
   const HeldMarker& held = hands_[h];
   Motion& m = motion(h);
+  // It makes way for another stick's.
+  if (held.held && held.id != m.id && m.frozen && m.presence.value() > 0) {
+    m.presence.update(false, step, fade_in, fade_out);
+    return;
+  }
   const bool stays = !held.held && m.frozen;
   if (!stays && (!held.held || held.id != m.id)) m = {};
   if (held.held) m.id = held.id;
@@ -210,7 +215,7 @@ void Comparison::fill_hand(Hand h, Time now) {
   v.leads = linked() && h == leader_;
   v.frozen = m.frozen.has_value();
   v.label.clear();
-  if (held.held) print_label(held, carried_by(h).words.view(), v.frozen, now, v.label);
+  if (held.held && held.id == m.id) print_label(held, carried_by(h).words.view(), v.frozen, now, v.label);
 }
 
 const CarriedModel& Comparison::carried_by(Hand h) const {

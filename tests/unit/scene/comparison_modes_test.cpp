@@ -152,6 +152,28 @@ TEST_F(ComparisonModes, AFrozenModelStaysWhileItsStickMoves) {
   expect_same(view()[Hand::left].world_from_marker, {left_.rotation, left_.place, 1});
 }
 
+TEST_F(ComparisonModes, AFrozenModelMakesWayForAnotherStick) {
+  run(300);
+  comparison_.press('f');
+  run(100);
+  left_.state = MarkerState::lost;
+  run(2000);
+  ASSERT_EQ(view()[Hand::left].opacity, 1);
+  carried_.push_back(carried(3, {38, -30, 0}, 35, 1000));
+  comparison_.carry(carried_);
+  left_.id = 3;
+  left_.state = MarkerState::measured;
+  double largest_fade = 0, before = 1;
+  run(1000, [&](double) {
+    largest_fade = std::max(largest_fade, std::abs(view()[Hand::left].opacity - before));
+    before = view()[Hand::left].opacity;
+  });
+  EXPECT_EQ(view()[Hand::left].marker_id, 3);
+  EXPECT_FALSE(view()[Hand::left].frozen);
+  EXPECT_EQ(view()[Hand::left].opacity, 1);
+  EXPECT_LT(largest_fade, 0.12);
+}
+
 TEST_F(ComparisonModes, EndTipsTogetherAskForOneSnapshot) {
   run(300);
   touch(StickPoint::end, StickPoint::end);
