@@ -1,11 +1,10 @@
 #include "app/difference_cache.h"
 
+#include "../core/full_disk.h"
 #include "core/error.h"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -153,14 +152,10 @@ TEST_F(Cache, WritesElsewhereWhereTheFolderCannotBeWrittenTo) {
 TEST_F(Cache, LeavesNothingBehindWhereThereIsNoRoom) {
   const DifferenceCache cache({kept()});
   fs::create_directory(kept());
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit little{.rlim_cur = 2000, .rlim_max = before.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
-  EXPECT_FALSE(cache.keep(some_key, some_difference()));
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
+  {
+    const FullDisk full(2000);
+    EXPECT_FALSE(cache.keep(some_key, some_difference()));
+  }
   EXPECT_TRUE(files().empty());
 }
 

@@ -1,12 +1,11 @@
+#include "../core/full_disk.h"
 #include "core/error.h"
 #include "session_example.h"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <functional>
 #include <thread>
 
@@ -203,24 +202,6 @@ TEST_F(SessionLogTest, FramesThatComeTooFastAreCountedAndTheirKeysKept) {
   EXPECT_EQ(keys, 1u);
   EXPECT_THAT(session.note(), HasSubstr(std::to_string(missed) + " frames are missing"));
 }
-
-/// Lets no file grow past `bytes` while it lives: what a full disk looks like.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-
- private:
-  rlimit before_{};
-  void (*signal_)(int);
-};
 
 TEST_F(SessionLogTest, AFullDiskEndsTheLogAndNothingElse) {
   std::string failure;

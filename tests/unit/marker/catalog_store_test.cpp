@@ -1,12 +1,11 @@
+#include "../core/full_disk.h"
 #include "catalog_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -186,24 +185,6 @@ TEST_F(CatalogStoreTest, AFileThatMayNotBeWrittenStillLoads) {
   ASSERT_TRUE(user != 0 || seteuid(0) == 0);
   EXPECT_THAT(message, AllOf(HasSubstr(file_.string()), HasSubstr("may not be written"), HasSubstr("permissions")));
 }
-
-/// Lets no file grow past `bytes` while it lives: what a full disk looks like.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-
- private:
-  rlimit before_{};
-  void (*signal_)(int);
-};
 
 TEST_F(CatalogStoreTest, AFullDiskChangesNothing) {
   make();

@@ -1,14 +1,13 @@
 // The pipelines kept on disk: what is read back, and that no state of the disk ever stops the program.
+#include "../core/full_disk.h"
 #include "render/device.h"
 #include "render/pipeline_cache_file.h"
 #include "render/renderer.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstring>
 #include <fstream>
 
@@ -132,29 +131,10 @@ TEST_F(PipelineCacheFile, IsNotWrittenWhereThereIsNoFolderToBeHad) {
   EXPECT_FALSE(write_pipeline_cache("/proc/x.bin", key, data));
 }
 
-/// Files may not grow beyond so many bytes while this lives: a full disk.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  ~SmallDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
 TEST_F(PipelineCacheFile, StaysAsItWasWhereTheDiskIsFull) {
   ASSERT_TRUE(write_pipeline_cache(file, key, data));
   {
-    const SmallDisk disk(400);
+    const FullDisk disk(400);
     EXPECT_FALSE(write_pipeline_cache(file, key, data_of(key, 2000)));
   }
   EXPECT_EQ(read_pipeline_cache(file, key), data);
@@ -205,7 +185,7 @@ TEST_F(GpuCache, IsDoneWithoutWhereItCannotBe) {
   fs::create_directories(folder);
   std::ofstream(folder / "file") << "in the way";
   EXPECT_TRUE(run(folder / "file"));
-  const SmallDisk disk(1);
+  const FullDisk disk(1);
   EXPECT_TRUE(run(folder / "full"));
   EXPECT_TRUE(fs::is_empty(folder / "full"));
 }
