@@ -12,6 +12,14 @@ Vec3 above(const View& view, Vec3 place_world, double pixels) {
   return view.T_world_view * in_view;
 }
 
+/// Above its place by so many pixels, or below it where they are less than zero.
+void add_label(SceneBuilder& scene, const View& view, std::string_view words, Vec3 place_world, double above_px,
+               double opacity) {
+  Label label = label_on_top(words, above(view, place_world, above_px), text_em(view), opacity);
+  label.pivot_y = above_px < 0 ? 0 : 1;
+  scene.labels.push_back(label);
+}
+
 Gauge ring(Vec3 place, double radius_px, double progress, double opacity = 1) {
   Gauge gauge;
   gauge.position_world = place;
@@ -29,11 +37,7 @@ void draw_offer(SceneBuilder& scene, const View& view, const OfferView& offer) {
   const double em = text_em(view), radius = 1.1 * em;
   scene.gauges.push_back(ring(offer.place_world, radius, offer.progress));
   if (offer.words.empty()) return;
-  scene.labels.push_back({.text = offer.words,
-                          .position_world = above(view, offer.place_world, radius + 0.5 * em),
-                          .height_px = em,
-                          .pivot_y = 1,
-                          .on_top = true});
+  add_label(scene, view, offer.words, offer.place_world, radius + 0.5 * em, 1);
 }
 
 void draw_plane(SceneBuilder& scene, const View& view, const SectionPlane& plane, Vec3 middle, double reach,
@@ -53,7 +57,7 @@ void draw_plane(SceneBuilder& scene, const View& view, const SectionPlane& plane
 
 void MeasureDrawing::draw(SceneBuilder& scene, const View& view, const MeasureView& measure) {
   if (measure.amount <= 0) return;
-  const double em = text_em(view);
+  const double em = text_em(view), clear = 0.6 * em;
   for (int i = 0; i < measure.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     scene.gauges.push_back(ring(measure.points_world[k], 0.35 * em, 1, measure.amount));
@@ -61,27 +65,15 @@ void MeasureDrawing::draw(SceneBuilder& scene, const View& view, const MeasureVi
     scene.lines.push_back(
         {measure.points_world[k - 1], measure.points_world[k], 2.5, faded(line_color, measure.amount)});
     words_[k - 1].print("%.1f mm", i == 1 ? measure.distance : measure.distance_2);
-    label(scene, view, words_[k - 1], 0.5 * (measure.points_world[k - 1] + measure.points_world[k]), false,
-          measure.amount);
+    add_label(scene, view, words_[k - 1].view(), 0.5 * (measure.points_world[k - 1] + measure.points_world[k]), clear,
+              measure.amount);
   }
   if (measure.count == 3) {
     words_[2].print("%.1f°", measure.angle_deg);
-    label(scene, view, words_[2], measure.points_world[1], true, measure.amount);
+    add_label(scene, view, words_[2].view(), measure.points_world[1], -clear, measure.amount);
   }
   if (measure.pick_progress > 0)
     scene.gauges.push_back(ring(measure.tip_world, 1.1 * em, measure.pick_progress, measure.amount));
-}
-
-void MeasureDrawing::label(SceneBuilder& scene, const View& view, const Text& words, Vec3 at, bool below,
-                           double opacity) {
-  const double em = text_em(view);
-  scene.labels.push_back({.text = words.view(),
-                          .position_world = above(view, at, below ? -0.6 * em : 0.6 * em),
-                          .height_px = em,
-                          .pivot_y = below ? 0.0 : 1.0,
-                          .color = faded(Color{}, opacity),
-                          .plate = faded(Label{}.plate, opacity),
-                          .on_top = true});
 }
 
 }  // namespace onestroke

@@ -21,8 +21,6 @@ class MeasureDrawing {
   void draw(SceneBuilder& scene, const View& view, const MeasureView& measure);
 
  private:
-  void label(SceneBuilder& scene, const View& view, const Text& words, Vec3 at, bool below, double opacity);
-
   std::array<Text, 3> words_;
 };
 

@@ -29,22 +29,22 @@ void DifferenceLegend::draw(SceneBuilder& scene, const View& view, const Differe
     const auto [r, g, b] = colors.color(statistics.reach * (1 - 2 * (i + 0.5) / steps));
     scene.boxes.push_back({x, high + i * step, width, step, {r, g, b, static_cast<float>(opacity)}});
   }
-  const auto tick = [&](std::size_t i, double y, double pivot_y) {
+  const auto tick = [&](std::size_t i, double y) {
     scene.texts.push_back({.text = ticks_[i].view(),
                            .x = x - 0.4 * em,
                            .y = y,
                            .height_px = em,
                            .pivot_x = 1,
-                           .pivot_y = pivot_y,
+                           .pivot_y = 0.5,
                            .color = faded(Color{}, opacity),
                            .plate = faded(HudText{}.plate, opacity)});
   };
   ticks_[0].print("+%g mm outside", statistics.reach);
   ticks_[1].print("0");
   ticks_[2].print("−%g mm inside", statistics.reach);
-  tick(0, high, 0.5);
-  tick(1, (high + low) / 2, 0.5);
-  tick(2, low, 0.5);
+  tick(0, high);
+  tick(1, (high + low) / 2);
+  tick(2, low);
 }
 
 void print_statistics(const DifferenceStatistics& s, std::span<Text, 3> lines) {

@@ -23,14 +23,10 @@ struct Placed {
   Vec3 leader_view;
 };
 
-double focal_of(const View& view) {
-  return view.viewport.height / (view.fov.up - view.fov.down);
-}
-
 Placed place(const View& view, const LabelWish& wish, double em) {
   const Vec3 centre = inverse(view.T_world_view) * wish.centre_world;
   if (centre.z < nearest) return {};
-  const double focal = focal_of(view), edge = edge_ems * em;
+  const double focal = focal_length_px(view), edge = edge_ems * em;
   Placed p;
   p.seen = true;
   p.width = (static_cast<double>(measure(wish.text).width) + plate_width_ems) * em;
@@ -57,7 +53,7 @@ struct Beside {
 };
 
 Beside beside(const View& view, const LabelWish& card) {
-  const double em = text_em(view), focal = focal_of(view);
+  const double em = text_em(view), focal = focal_length_px(view);
   Vec3 centre = inverse(view.T_world_view) * card.centre_world;
   centre.z = std::max(centre.z, nearest);
   const TextSize size = measure(card.text);
@@ -80,7 +76,7 @@ bool card_fits_right(const View& view, const LabelWish& card, bool wanted) {
 
 CardPlace place_card(const View& view, const LabelWish& card, bool to_right) {
   const Beside b = beside(view, card);
-  const double focal = focal_of(view);
+  const double focal = focal_length_px(view);
   const double left = std::clamp(to_right ? b.u + b.clear : b.u - b.clear - b.width, b.edge,
                                  std::max(b.edge, view.viewport.width - b.width - b.edge));
   const double top = std::clamp(b.v - b.height / 2, b.edge, std::max(b.edge, view.viewport.height - b.height - b.edge));
@@ -92,7 +88,7 @@ void place_labels(const View& view, std::span<const LabelWish> wishes, std::span
   constexpr std::size_t most = 2;
   std::array<Placed, most> placed;
   const std::size_t count = std::min({most, wishes.size(), places.size()});
-  const double em = text_em(view), focal = focal_of(view);
+  const double em = text_em(view), focal = focal_length_px(view);
   for (std::size_t i = 0; i < count; ++i) placed[i] = place(view, wishes[i], em);
   if (count == 2 && placed[0].seen && placed[1].seen) {
     // To just above the other, or where it was if that is higher.

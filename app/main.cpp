@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 #include "app/marker_command.h"
 #include "app/run_command.h"
+#include "app/say.h"
 #include "app/track_command.h"
 #include "core/error.h"
 
@@ -26,7 +27,7 @@ int execute(const onestroke::PrintText& print) {
 }
 
 int fail(const std::exception& error, ExitCode code) {
-  std::cerr << "onestroke: " << error.what() << "\n";
+  onestroke::say(error.what());
   return code;
 }
 

@@ -5,9 +5,7 @@
 namespace onestroke {
 
 std::span<const DepthSegment> PictureDepth::update(const FrameRecord& record, Time now) {
-  const double step = started_ ? (now - last_).seconds() / eases.seconds() : 0;
-  last_ = now;
-  started_ = true;
+  const double step = frames_.step_to(now).seconds() / eases.seconds();
   for (Stick& stick : sticks_) stick.seen = false;
   for (const MarkerObservation& m : record.seen())
     if (m.state != MarkerState::lost) see(m);

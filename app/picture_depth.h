@@ -38,8 +38,7 @@ class PictureDepth {
   std::array<Stick, max_markers_per_frame> sticks_{};
   std::array<DepthSegment, DepthSurface::most_segments> segments_{};
   std::size_t count_ = 0;
-  Time last_;
-  bool started_ = false;
+  FrameSteps frames_;
 };
 
 }  // namespace onestroke

@@ -5,6 +5,7 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/replay_feed.h"
+#include "app/say.h"
 #include "app/session_options.h"
 #include "app/show.h"
 #include "app/source.h"
@@ -14,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
+#include <ostream>
 
 namespace onestroke {
 namespace {
@@ -117,7 +118,7 @@ struct Stage {
 
 Stage prepare(const RunOptions& options) {
   const std::string spec = display_spec(options);
-  return {.catalog = load_catalog(options.catalog), .spec = spec, .offscreen = spec.starts_with("offscreen")};
+  return {.catalog = load_catalog(options.catalog), .spec = spec, .offscreen = offscreen_folder(spec).has_value()};
 }
 
 void open(Stage& stage, const RunOptions& options, double rate) {
@@ -141,9 +142,8 @@ struct Play {
 };
 
 fs::path snapshot_folder(const RunOptions& options, const std::string& display) {
-  constexpr std::string_view offscreen = "offscreen:";
   if (!options.snapshots.empty()) return options.snapshots;
-  return display.starts_with(offscreen) ? display.substr(offscreen.size()) : "snapshots";
+  return offscreen_folder(display).value_or("snapshots");
 }
 
 void play(Stage& stage, const Play& what, const RunOptions& options, std::ostream& out) {
@@ -169,10 +169,6 @@ void play(Stage& stage, const Play& what, const RunOptions& options, std::ostrea
 void flush(std::ostream& out) {
   if (!out.flush())
     throw Error("standard output cannot be written; check where it leads and that the disk is not full");
-}
-
-void say(const std::string& line) {
-  std::cerr << "onestroke: " << line << '\n';
 }
 
 /// Ends the log. A log that somebody asked for must be whole.

@@ -7,10 +7,6 @@
 namespace onestroke {
 namespace {
 
-double focal_of(const View& view) {
-  return view.viewport.height / (view.fov.up - view.fov.down);
-}
-
 template <typename List>
 auto span_of(const List& list) {
   return std::span(list.begin(), list.size());
@@ -41,13 +37,22 @@ Color faded(Color color, double opacity) {
   return color;
 }
 
+Label label_on_top(std::string_view text, Vec3 position_world, double height_px, double opacity, Color plate) {
+  return {.text = text,
+          .position_world = position_world,
+          .height_px = height_px,
+          .color = faded(Color{}, opacity),
+          .plate = faded(plate, opacity),
+          .on_top = true};
+}
+
 double text_em(const View& view) {
-  const double one_degree = focal_of(view) * std::tan(std::numbers::pi / 180);
+  const double one_degree = focal_length_px(view) * std::tan(std::numbers::pi / 180);
   return std::max({14.0, view.viewport.height / 40.0, one_degree});
 }
 
 double pixel_at(const View& view, double depth) {
-  return depth / focal_of(view);
+  return depth / focal_length_px(view);
 }
 
 }  // namespace onestroke

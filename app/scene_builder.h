@@ -25,6 +25,10 @@ class SceneBuilder {
 
 Color faded(Color color, double opacity);
 
+/// A text in the world that no model hides, as opaque as it says; centred about its place.
+Label label_on_top(std::string_view text, Vec3 position_world, double height_px, double opacity,
+                   Color plate = Label{}.plate);
+
 /// Font size of a view's texts, px: to be read at arm's length on a desk, and one degree of visual angle, whatever it
 /// is seen through.
 double text_em(const View& view);

@@ -1,12 +1,13 @@
 #include "app/session_options.h"
 
 #include "app/cache_folder.h"
+#include "app/say.h"
 #include "app/session_files.h"
 #include "app/source.h"
 #include "core/error.h"
+#include "display/open_display.h"
 
 #include <ctime>
-#include <iostream>
 #include <string_view>
 
 namespace onestroke {
@@ -33,10 +34,6 @@ std::string not_live(std::string camera) {
   if (const std::size_t at = camera.find(live); camera.starts_with("synthetic") && at != std::string::npos)
     camera[at + live.size() - 1] = '0';
   return camera;
-}
-
-void say(const std::string& line) {
-  std::cerr << "onestroke: " << line << '\n';
 }
 
 std::unique_ptr<SessionLog> open_usual_log(const SessionHeader& header) {
@@ -81,11 +78,11 @@ RunOptions replay_options(const SessionHeader& header, const RunOptions& given) 
 
 std::unique_ptr<SessionLog> open_session_log(const RunOptions& options, const std::string& display,
                                              const SessionHeader& header) {
-  constexpr std::string_view offscreen = "offscreen:";
   if (options.log == "none") return nullptr;
   if (!options.log.empty()) return std::make_unique<SessionLog>(options.log, header);
-  if (!display.starts_with(offscreen)) return open_usual_log(header);
-  return std::make_unique<SessionLog>(fs::path(display.substr(offscreen.size())) / "session.jsonl", header);
+  const std::optional<fs::path> folder = offscreen_folder(display);
+  if (!folder) return open_usual_log(header);
+  return std::make_unique<SessionLog>(*folder / "session.jsonl", header);
 }
 
 std::unique_ptr<Camera> open_replay_camera(const RunOptions& given, const RunOptions& options, const Catalog& catalog) {

@@ -1,5 +1,7 @@
 #include "app/snapshot_numbers.h"
 
+#include "app/pose_line.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -19,10 +21,6 @@ Json pose_of(const Similarity& s) {
   return pose;
 }
 
-std::string word(Hand h) {
-  return h == Hand::left ? "left" : "right";
-}
-
 Json model_of(const MarkerSpec& marker) {
   Json model{{"file", marker.model}};
   if (!marker.model_name.empty()) model["name"] = marker.model_name;
@@ -37,8 +35,7 @@ Json stick_of(const Catalog& catalog, const FrameRecord& record, const HandView&
     stick["name"] = marker->name;
     if (!marker->model.empty()) stick["model"] = model_of(*marker);
   }
-  constexpr std::array<const char*, 3> states{"measured", "predicted", "lost"};
-  stick["state"] = states[static_cast<std::size_t>(hand.state)];
+  stick["state"] = word_of(hand.state);
   const auto seen = std::ranges::find(record.seen(), hand.marker_id, &MarkerObservation::id);
   if (hand.state != MarkerState::lost && seen != record.seen().end())
     stick["stick"] = pose_of(Similarity(record.T_world_camera * seen->T_camera_marker));
@@ -85,7 +82,7 @@ std::string snapshot_numbers(const Catalog& catalog, const FrameRecord& record, 
             {"mode", {{"link", name_of(compared.mode.link)}, {"tool", name_of(compared.mode.tool)}}},
             {"T_world_camera", pose_of(Similarity(record.T_world_camera))}};
   for (const Hand h : both_hands)
-    if (compared[h].opacity > 0) json[word(h)] = stick_of(catalog, record, compared[h]);
+    if (compared[h].opacity > 0) json[name_of(h)] = stick_of(catalog, record, compared[h]);
   if (compared.both_visible) {
     const RelativePose& r = compared.relative;
     json["right_to_left"] = {{"angle_deg", r.angle_deg},
@@ -93,8 +90,8 @@ std::string snapshot_numbers(const Catalog& catalog, const FrameRecord& record, 
                              {"rotation_xyz_deg", numbers(r.euler_deg)},
                              {"distance_mm", r.distance}};
   }
-  if (compared.mode.laid_over()) json["base"] = word(compared.base);
-  if (compared.mode.tool == Tool::section) json["cutting_hand"] = word(compared.pointer);
+  if (compared.mode.laid_over()) json["base"] = name_of(compared.base);
+  if (compared.mode.tool == Tool::section) json["cutting_hand"] = name_of(compared.pointer);
   if (compared.measure.count > 0) json["measured"] = measured(compared.measure);
   if (difference) json["difference"] = difference_of(*difference);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -51,11 +51,8 @@ TwoHands::TwoHands(const ModelShelf& shelf, DifferenceDesk* differences, const T
 
 const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::span<const View> views,
                                    std::string_view status) {
-  const Duration step = started_ ? now - last_ : Duration{};
-  started_ = true;
-  last_ = now;
   comparison_.update(record, now);
-  look_at_difference(step);
+  look_at_difference(frames_.step_to(now));
   builder_.clear();
   add_sticks(record);
   add_models();
@@ -116,8 +113,7 @@ void TwoHands::add_models() {
   for (const Hand h : both_hands) {
     const HandView& hand = compared[h];
     if (hand.opacity <= 0) continue;
-    const bool base = h == compared.base;
-    const double covered = !compared.mode.laid_over() && compared.laid <= 0 ? 0 : base ? compared.laid : map_.value();
+    const double covered = h == compared.base ? compared.laid : map_.value();
     add_model(hand, hand.opacity * hand.shown * (1 - covered));
     add_axes(hand);
   }
@@ -183,13 +179,10 @@ void TwoHands::add_labels(const View& view) {
   place_labels(view, {wishes.data(), count}, places);
   for (std::size_t i = 0; i < count; ++i) {
     if (!places[i] || opacity[i] <= 0) continue;
-    builder_.labels.push_back({.text = wishes[i].text,
-                               .position_world = places[i]->position_world,
-                               .height_px = places[i]->height_px,
-                               .pivot_y = 1,
-                               .color = faded(Color{}, opacity[i]),
-                               .plate = faded(hands[i]->leads ? leading_plate : Label{}.plate, opacity[i]),
-                               .on_top = true});
+    Label label = label_on_top(wishes[i].text, places[i]->position_world, places[i]->height_px, opacity[i],
+                               hands[i]->leads ? leading_plate : Label{}.plate);
+    label.pivot_y = 1;
+    builder_.labels.push_back(label);
     add_line(places[i]->position_world, places[i]->leader_world, 1.5, faded(leader_color, opacity[i]));
   }
 }
@@ -209,14 +202,9 @@ void TwoHands::add_cards(const View& view) {
     // It stays on the side that it came on.
     if (!before) right = card_fits_right(view, card, h == Hand::right);
     const CardPlace place = place_card(view, card, right);
-    builder_.labels.push_back({.text = entry->card,
-                               .position_world = place.position_world,
-                               .height_px = place.height_px,
-                               .pivot_x = 0,
-                               .pivot_y = 0,
-                               .color = faded(Color{}, opacity),
-                               .plate = faded(Label{}.plate, opacity),
-                               .on_top = true});
+    Label label = label_on_top(entry->card, place.position_world, place.height_px, opacity);
+    label.pivot_x = label.pivot_y = 0;
+    builder_.labels.push_back(label);
   }
 }
 

@@ -69,8 +69,8 @@ class TwoHands {
   const DifferenceDesk::Result* difference_ = nullptr;
   Eased map_;                                        // the map in place of the model that is laid
   std::array<bool, 2> card_right_{}, card_shown_{};  // by hand
-  bool words_ = true, started_ = false;
-  Time last_;
+  bool words_ = true;
+  FrameSteps frames_;
   std::string_view notice_;
   std::array<Text, 3> statistics_;
   SceneBuilder builder_;

@@ -35,4 +35,20 @@ struct Time {
   friend constexpr Time operator-(Time a, Duration d) { return {a.ns - d.ns}; }
 };
 
+/// How far apart frames are.
+class FrameSteps {
+ public:
+  /// From the frame before to the one at `now`; nothing before the first.
+  Duration step_to(Time now) {
+    const Duration step = started_ ? now - last_ : Duration{};
+    last_ = now;
+    started_ = true;
+    return step;
+  }
+
+ private:
+  Time last_;
+  bool started_ = false;
+};
+
 }  // namespace onestroke

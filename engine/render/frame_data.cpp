@@ -36,7 +36,7 @@ void set_grain(gpu::SceneData& data, const FrameParts& parts) {
   const PictureStore& picture = parts.picture;
   if (!parts.scene.grain || !picture.shown() || !parts.scene.passthrough_distance) return;
   const View& view = parts.views.front();
-  const double view_focal = view.viewport.height / (view.fov.up - view.fov.down);
+  const double view_focal = focal_length_px(view);
   data.tone.w = parts.light.noise();
   // A seed that a float holds to the last.
   constexpr std::uint64_t seeds = 1U << 20U;

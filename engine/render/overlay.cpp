@@ -51,7 +51,7 @@ void Overlay::build(const FrameScene& scene, std::span<const View> views) {
                     .forward = direction_to_graphics(rotate(first.T_world_view.rotation, {0, 0, 1})),
                     .right = direction_to_graphics(rotate(first.T_world_view.rotation, {1, 0, 0})),
                     .down = direction_to_graphics(rotate(first.T_world_view.rotation, {0, 1, 0})),
-                    .focal_px = static_cast<float>(first.viewport.height / (first.fov.up - first.fov.down))};
+                    .focal_px = static_cast<float>(focal_length_px(first))};
 
   sort_markings(scene, frame);
   for (const auto& marking : order_) {

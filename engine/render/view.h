@@ -24,6 +24,11 @@ struct View {
 
 inline constexpr int max_views = 2;
 
+/// Pixels for each unit of a tangent.
+inline double focal_length_px(const View& view) {
+  return view.viewport.height / (view.fov.up - view.fov.down);
+}
+
 /// The field of view of a camera: a view with it, at the camera's pose and the picture's size, shows the picture pixel
 /// for pixel (distortion apart).
 Fov fov_of(const Intrinsics& intrinsics, int picture_width, int picture_height);

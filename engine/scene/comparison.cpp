@@ -36,19 +36,17 @@ bool Comparison::press(char key) {
 }
 
 const ComparisonView& Comparison::update(const FrameRecord& record, Time now) {
-  const Duration step = started_ ? now - last_ : Duration{};
-  last_ = now;
-  started_ = true;
+  const Duration step = frames_.step_to(now);
   T_world_camera_ = record.T_world_camera;
   view_.snapshot = false;
   view_.event_count = 0;
   if (hands_.update(record, now)) exchange_hands();
   for (const Hand h : both_hands) {
     follow_motion(h, step);
-    follow_card(h, record.T_world_camera, step, now);
+    follow_card(h, step, now);
   }
   view_.both_visible = hands_[Hand::left].visible() && hands_[Hand::right].visible();
-  press_keys(now);
+  press_keys();
   look_for_signs(now);
   choose_leader(now);
   laid_.update(mode_.laid_over(), step);
@@ -98,11 +96,11 @@ void Comparison::follow_motion(Hand h, Duration step) {
   m.turn.update(held.T_world_marker.rotation, step);
 }
 
-void Comparison::follow_card(Hand h, const Pose& T_world_camera, Duration step, Time now) {
+void Comparison::follow_card(Hand h, Duration step, Time now) {
   Motion& m = motion(h);
   const HeldMarker& held = hands_[h];
   if (held.visible()) {
-    const double distance = norm(held.T_world_marker.translation - T_world_camera.translation);
+    const double distance = norm(held.T_world_marker.translation - T_world_camera_.translation);
     if (distance > card_beyond) m.near = false;
     if (distance > card_within)
       m.near_since.reset();
@@ -115,11 +113,11 @@ void Comparison::follow_card(Hand h, const Pose& T_world_camera, Duration step, 
   m.card.update((near || cards_) && (held.held || m.frozen), step);
 }
 
-void Comparison::press_keys(Time now) {
+void Comparison::press_keys() {
   for (const char key : std::span(keys_).first(std::exchange(key_count_, 0))) {
     if (key == 'i') cards_ = !cards_;
     if (key == 'x' && hands_.exchange()) exchange_hands();
-    if (const std::optional<Sign> sign = sign_of(key, mode_)) apply({*sign, {}}, now);
+    if (const std::optional<Sign> sign = sign_of(key, mode_)) apply({*sign, {}});
   }
 }
 
@@ -131,12 +129,16 @@ void Comparison::look_for_signs(Time now) {
   for (const Hand h : both_hands)
     for (std::size_t i = 0; i < pair.points[0].size(); ++i)
       pair.points[static_cast<std::size_t>(h)][i] = hands_[h].T_world_marker * carried_by(h).points[i];
-  pair.right_to_left =
-      normalized(hands_[Hand::left].T_world_marker.rotation.conjugate() * hands_[Hand::right].T_world_marker.rotation);
-  if (const std::optional<MadeSign> made = signs_.update(pair, mode_, now)) apply(*made, now);
+  pair.right_to_left = right_to_left();
+  if (const std::optional<MadeSign> made = signs_.update(pair, mode_, now)) apply(*made);
 }
 
-void Comparison::apply(const MadeSign& made, Time) {
+Quat Comparison::right_to_left() const {
+  return normalized(hands_[Hand::left].T_world_marker.rotation.conjugate() *
+                    hands_[Hand::right].T_world_marker.rotation);
+}
+
+void Comparison::apply(const MadeSign& made) {
   const ModeRule* rule = find_rule(mode_, made.sign);
   if (!rule) return;
   const CompareMode before = std::exchange(mode_, after(mode_, *rule));
@@ -236,7 +238,7 @@ void Comparison::fill_relative() {
   if (!view_.both_visible) return;
   const Pose& left = hands_[Hand::left].T_world_marker;
   const Pose& right = hands_[Hand::right].T_world_marker;
-  const Quat turn = normalized(left.rotation.conjugate() * right.rotation);
+  const Quat turn = right_to_left();
   const Vec3 vector = log_so3(turn);
   RelativePose& r = view_.relative;
   r.angle_deg = norm(vector) * degrees;

@@ -89,10 +89,12 @@ class Comparison {
 
   void exchange_hands();
   void follow_motion(Hand h, Duration step);
-  void follow_card(Hand h, const Pose& T_world_camera, Duration step, Time now);
-  void press_keys(Time now);
+  void follow_card(Hand h, Duration step, Time now);
+  void press_keys();
   void look_for_signs(Time now);
-  void apply(const MadeSign& made, Time now);
+  void apply(const MadeSign& made);
+  /// The right stick's rotation in the left one's frame.
+  Quat right_to_left() const;
   /// What a sign is offered as, and written down as.
   std::string_view words_of(const ModeRule& rule, const MadeSign& made) const;
   Hand to_freeze(const MadeSign& made) const;
@@ -127,14 +129,14 @@ class Comparison {
   Hand pointer_ = Hand::right, base_ = Hand::left;  // roles, where the mode has them
   std::array<char, 8> keys_{};
   std::size_t key_count_ = 0;
-  bool cards_ = false, started_ = false, changed_ = false, plane_flipped_ = false, plane_turns_ = false;
+  bool cards_ = false, changed_ = false, plane_flipped_ = false, plane_turns_ = false;
   Pose T_world_camera_;
   Vec3 mirror_normal_{1, 0, 0};
   std::optional<Similarity> fit_;
   Eased laid_, cutting_, measuring_;
   SectionPlane plane_;
   Measuring ruler_;
-  Time last_;
+  FrameSteps frames_;
   ComparisonView view_;
 };
 

@@ -18,12 +18,8 @@ void add_line(ComparisonView& view, const Text& line) {
   view.lines[static_cast<std::size_t>(view.line_count++)] = line;
 }
 
-const char* word(Hand h) {
-  return h == Hand::left ? "left" : "right";
-}
-
 void add_link(ComparisonView& view) {
-  const char* leader = view[Hand::right].leads ? "right" : "left";
+  const char* leader = name_of(view[Hand::right].leads ? Hand::right : Hand::left);
   Text line;
   if (view.mode.link == Link::apart)
     line.print("Side by side: hold the tips together to link, the corners to lay over");
@@ -45,9 +41,9 @@ void add_relative(ComparisonView& view) {
 }
 
 void add_overlay(ComparisonView& view) {
-  const char* laid = word(other(view.base));
+  const char* laid = name_of(other(view.base));
   Text line;
-  line.print("Overlay: the %s model on the %s one, %s", laid, word(view.base),
+  line.print("Overlay: the %s model on the %s one, %s", laid, name_of(view.base),
              view.mode.tool == Tool::fitted ? "by best fit" : "by their own frames");
   add_line(view, line);
   line.print("%s, part the corners to end",
@@ -57,7 +53,7 @@ void add_overlay(ComparisonView& view) {
 
 void add_section(ComparisonView& view) {
   Text line;
-  line.print("Section: the %s stick's plane cuts %s", word(view.pointer),
+  line.print("Section: the %s stick's plane cuts %s", name_of(view.pointer),
              view.mode.link == Link::apart ? "the other's model" : "both models alike");
   add_line(view, line);
   line.print("Touch the corner with its red tip again to end");

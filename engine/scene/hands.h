@@ -14,6 +14,10 @@ constexpr Hand other(Hand h) {
   return h == Hand::left ? Hand::right : Hand::left;
 }
 
+constexpr const char* name_of(Hand h) {
+  return h == Hand::left ? "left" : "right";
+}
+
 /// The stick in one hand.
 struct HeldMarker {
   bool held = false;

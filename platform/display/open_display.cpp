@@ -8,13 +8,18 @@
 
 namespace onestroke {
 
-std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOptions& o) {
+std::optional<std::filesystem::path> offscreen_folder(const std::string& spec) {
   constexpr std::string_view offscreen = "offscreen:";
+  if (!spec.starts_with(offscreen) || spec.size() == offscreen.size()) return std::nullopt;
+  return spec.substr(offscreen.size());
+}
+
+std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOptions& o) {
   if (spec == "window")
     return std::make_unique<WindowDisplay>(
         WindowOptions{.title = o.title, .width = o.width, .height = o.height, .wait_for_screen = o.wait_for_screen});
-  if (spec.starts_with(offscreen) && spec.size() > offscreen.size())
-    return std::make_unique<OffscreenDisplay>(OffscreenOptions{.directory = spec.substr(offscreen.size()),
+  if (const auto folder = offscreen_folder(spec))
+    return std::make_unique<OffscreenDisplay>(OffscreenOptions{.directory = *folder,
                                                                .width = o.width,
                                                                .height = o.height,
                                                                .rate = o.rate,

@@ -2,7 +2,9 @@
 
 #include "render/display.h"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace onestroke {
@@ -18,6 +20,9 @@ struct DisplayOptions {
   bool film = true;
   int views = 1;
 };
+
+/// The folder of "offscreen:DIR"; none of another display's words.
+std::optional<std::filesystem::path> offscreen_folder(const std::string& spec);
 
 /// Opens "window" or "offscreen:DIR". Throws UsageError for other words, and Error where the display cannot be had.
 std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOptions& options);

@@ -1,6 +1,7 @@
 // How two models differ is worked out while frames are drawn.
 #include "app/difference_desk.h"
 
+#include "../unit/core/scratch_folder.h"
 #include "allocation/allocation_counter.h"
 #include "core/error.h"
 #include "golden/stage.h"
@@ -26,13 +27,6 @@ const fs::path assets = ONESTROKE_SOURCE_DIR "/assets";
 
 class DeskStage : public golden::Stage {
  protected:
-  DeskStage() {
-    std::string name = (fs::temp_directory_path() / "onestroke-desk-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error("no temporary folder");
-    folder_ = name;
-  }
-  ~DeskStage() override { fs::remove_all(folder_); }
-
   fs::path catalog_file() const { return folder_ / "catalog.json"; }
   fs::path cache() const { return folder_ / "catalog.json.differences"; }
 
@@ -99,7 +93,8 @@ class DeskStage : public golden::Stage {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
 
-  fs::path folder_;
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(DeskStage, WorksOutWhatIsAskedForAndIsReady) {

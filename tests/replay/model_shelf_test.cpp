@@ -1,6 +1,7 @@
 // Models come while frames are drawn.
 #include "app/model_shelf.h"
 
+#include "../unit/core/scratch_folder.h"
 #include "app/two_hands.h"
 #include "core/error.h"
 #include "golden/stage.h"
@@ -21,13 +22,6 @@ const fs::path assets = ONESTROKE_SOURCE_DIR "/assets";
 
 class ShelfStage : public golden::Stage {
  protected:
-  ShelfStage() {
-    std::string name = (fs::temp_directory_path() / "onestroke-shelf-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error("no temporary folder");
-    folder_ = name;
-  }
-  ~ShelfStage() override { fs::remove_all(folder_); }
-
   /// Large enough that its loading is seen: a wavy sheet of n x n squares.
   void write_sheet(const std::string& file, int n) const {
     std::ofstream out(folder_ / file);
@@ -70,7 +64,8 @@ class ShelfStage : public golden::Stage {
   static bool loading(const ModelShelf& shelf) { return words(shelf).starts_with("loading"); }
   static std::string words(const ModelShelf& shelf) { return std::string(shelf.carried()[0].words.view()); }
 
-  fs::path folder_;
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(ShelfStage, AStickShowsItsAxesUntilItsModelIsThere) {

@@ -1,8 +1,8 @@
 // What the wearer sees of each way of comparing, and what a snapshot keeps of it.
+#include "../unit/core/scratch_folder.h"
 #include "app/snapshot_numbers.h"
 #include "app/snapshots.h"
 #include "app/two_hands.h"
-#include "core/error.h"
 #include "golden/stage.h"
 
 #include <gtest/gtest.h>
@@ -25,17 +25,13 @@ constexpr double frame_ms = 20;
 class OwnAssets {
  public:
   OwnAssets() {
-    std::string name = (fs::temp_directory_path() / "onestroke-modes-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error("no temporary folder");
-    folder_ = name;
     for (const char* file : {"catalog.json", "bracket_v1.glb", "bracket_v2.glb"})
-      fs::copy_file(assets / file, folder_ / file);
+      fs::copy_file(assets / file, folder() / file);
   }
-  ~OwnAssets() { fs::remove_all(folder_); }
-  const fs::path& folder() const { return folder_; }
+  const fs::path& folder() const { return scratch_.path(); }
 
  private:
-  fs::path folder_;
+  ScratchFolder scratch_;
 };
 
 class Modes : public golden::Stage {

@@ -1,6 +1,7 @@
 #include "app/difference_cache.h"
 
 #include "../core/full_disk.h"
+#include "../core/scratch_folder.h"
 #include "core/error.h"
 
 #include <gmock/gmock.h>
@@ -68,13 +69,6 @@ void expect_same(const std::optional<ModelDifference>& found, const ModelDiffere
 
 class Cache : public testing::Test {
  protected:
-  Cache() {
-    std::string name = (fs::temp_directory_path() / "onestroke-differences-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw Error("no temporary folder");
-    folder_ = name;
-  }
-  ~Cache() override { fs::remove_all(folder_); }
-
   fs::path kept() const { return folder_ / "catalog.json.differences"; }
   /// All that lies in the folder.
   std::vector<fs::path> files() const {
@@ -83,7 +77,8 @@ class Cache : public testing::Test {
     return all;
   }
 
-  fs::path folder_;
+  const ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(Cache, GivesBackWhatWasKeptByteByByte) {

@@ -1,3 +1,4 @@
+#include "../core/error_of.h"
 #include "../core/full_disk.h"
 #include "core/error.h"
 #include "session_example.h"
@@ -20,15 +21,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 const SessionHeader plain{.program = "0.1.0", .camera = "synthetic", .catalog = "/c.json", .rate = 30};
-
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 class SessionLogTest : public test::FolderTest {
  protected:

@@ -8,7 +8,6 @@
 namespace onestroke {
 namespace {
 
-using test::error_of;
 using test::example_catalog;
 using testing::AllOf;
 using testing::HasSubstr;

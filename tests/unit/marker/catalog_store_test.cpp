@@ -13,7 +13,6 @@
 namespace onestroke {
 namespace {
 
-using test::error_of;
 using test::example_catalog;
 using test::marker;
 using test::same;

@@ -5,7 +5,6 @@
 namespace onestroke {
 namespace {
 
-using test::error_of;
 using test::example_catalog;
 using test::marker;
 using test::same;

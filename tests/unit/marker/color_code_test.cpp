@@ -1,5 +1,6 @@
 #include "marker/color_code.h"
 
+#include "../core/error_of.h"
 #include "core/error.h"
 
 #include <gmock/gmock.h>
@@ -14,15 +15,6 @@ namespace onestroke {
 namespace {
 
 using testing::HasSubstr;
-
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 Cells reversed(Cells cells) {
   std::reverse(cells.begin(), cells.end());

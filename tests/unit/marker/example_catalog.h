@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../core/error_of.h"
 #include "core/error.h"
 #include "marker/catalog.h"
 
@@ -7,16 +8,6 @@
 #include <string>
 
 namespace onestroke::test {
-
-/// The message of the Error that act throws; "no error" where it throws none.
-inline std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 inline MarkerSpec marker(int id, const std::string& name, std::uint64_t value, Shape shape, std::string model = "") {
   return {id, name, encode(value, shape.cells()), std::move(shape), std::move(model)};

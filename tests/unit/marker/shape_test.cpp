@@ -1,5 +1,6 @@
 #include "marker/shape.h"
 
+#include "../core/error_of.h"
 #include "core/error.h"
 
 #include <gmock/gmock.h>
@@ -17,15 +18,6 @@ using std::numbers::pi;
 void expect_near(Vec3 a, Vec3 b, double tolerance = 1e-9) {
   EXPECT_NEAR(norm(a - b), 0, tolerance) << "(" << a.x << ", " << a.y << ", " << a.z << ") is not (" << b.x << ", "
                                          << b.y << ", " << b.z << ")";
-}
-
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// Pieces follow one another without a gap, and the line is as long as its cells.

@@ -1,0 +1,11 @@
+#include "app/say.h"
+
+#include <iostream>
+
+namespace onestroke {
+
+void say(const std::string& line) {
+  std::cerr << "onestroke: " << line << '\n';
+}
+
+}  // namespace onestroke
