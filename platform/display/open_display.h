@@ -19,7 +19,8 @@ struct DisplayOptions {
   int views = 1;
 };
 
-/// Opens "window" or "offscreen:DIR". Throws UsageError for other words, and Error where the display cannot be had.
+/// Opens "window", "openxr" or "offscreen:DIR". Throws UsageError for other words, and Error where the display cannot
+/// be had.
 std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOptions& options);
 
 }  // namespace onestroke

@@ -1,0 +1,163 @@
+#include "display/openxr.h"
+
+#include "display/openxr_clock.h"
+#include "display/openxr_session.h"
+#include "display/openxr_spaces.h"
+#include "display/openxr_swapchain.h"
+#include "display/openxr_vulkan.h"
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+namespace onestroke {
+
+namespace {
+
+// How often a headset that shows nothing is looked at again.
+constexpr std::chrono::milliseconds pause(10);
+
+/// All that is made anew with another Gpu.
+struct Seat {
+  std::shared_ptr<Device> device;
+  OpenXrSession session;
+  OpenXrSpaces spaces;
+  OpenXrSwapchain swapchain;
+
+  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
+      : device(std::move(gpu)),
+        session(instance, *device),
+        spaces(session.handle()),
+        swapchain(*device, session.handle(), session.view_size()) {}
+  Seat(const Seat&) = delete;
+  ~Seat() { device->wait_idle(); }
+};
+
+}  // namespace
+
+struct OpenXrDisplay::Impl {
+  OpenXrInstance instance;
+  OpenXrVulkan vulkan{instance};
+  OpenXrClock clock{instance};
+  std::string headset = instance.headset_name();
+  std::optional<Seat> seat;
+  OpenXrSession::Count count;
+  Time last = Time::now();
+  std::string failure;
+  bool closed = false;
+
+  /// What to draw and for when. Leaves `should_render` false where there is nobody to see it.
+  void begin(FrameInfo& frame) {
+    if (!seat->session.running()) {
+      std::this_thread::sleep_for(pause);
+      last = std::max(last, Time::now());
+      return;
+    }
+    const XrFrameState state = seat->session.begin_frame();
+    // A runtime's first guess may lie before what was said last.
+    last = std::max(last, clock.to_ours(state.predictedDisplayTime));
+    if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
+    frame.target = seat->swapchain.acquire();
+    if (!frame.target) return;
+    for (std::size_t i = 0; i < max_views; ++i) {
+      frame.views.at(i) = seat->spaces.view(i);
+      frame.views.at(i).viewport = {0, 0, frame.target->width, frame.target->height};
+    }
+    frame.should_render = true;
+  }
+
+  void show() {
+    seat->swapchain.release();
+    std::array<XrCompositionLayerProjectionView, max_views> views;
+    for (std::uint32_t i = 0; i < max_views; ++i) {
+      views.at(i) = typed<XrCompositionLayerProjectionView>(XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
+      views.at(i).pose = seat->spaces.eye(i).pose;
+      views.at(i).fov = seat->spaces.eye(i).fov;
+      views.at(i).subImage = seat->swapchain.part_for(i);
+    }
+    auto layer = typed<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
+    layer.space = seat->spaces.world();
+    layer.viewCount = max_views;
+    layer.views = views.data();
+    seat->session.end_frame(&layer);
+  }
+
+  /// Runs what may throw in the loop; the first error ends the show.
+  template <typename Work>
+  void guard(Work&& work) noexcept {
+    if (closed || !seat) return;
+    try {
+      work();
+      if (seat->session.loss_pending()) fail("it is about to end");
+    } catch (const OpenXrError& error) {
+      fail(error.lost() ? "it ended" : error.what());
+    } catch (const std::exception& error) {
+      fail(error.what());
+    }
+  }
+
+  void fail(const std::string& why) {
+    failure =
+        "the OpenXR runtime " + instance.runtime_name() + " cannot go on: start it and onestroke again (" + why + ")";
+    closed = true;
+  }
+
+  void let_go() {
+    if (seat) count = seat->session.count();
+    seat.reset();
+  }
+};
+
+OpenXrDisplay::OpenXrDisplay() : impl_(std::make_unique<Impl>()) {}
+OpenXrDisplay::~OpenXrDisplay() = default;
+
+GpuNeeds OpenXrDisplay::needs() const {
+  return {.hooks = &impl_->vulkan};
+}
+
+void OpenXrDisplay::attach(Gpu& gpu) {
+  impl_->let_go();
+  impl_->seat.emplace(impl_->instance, gpu.device());
+}
+
+void OpenXrDisplay::begin(FrameInfo& frame) {
+  frame.should_render = false;
+  frame.target = nullptr;
+  frame.view_count = max_views;
+  impl_->guard([&] { impl_->begin(frame); });
+  frame.time = impl_->last;
+}
+
+void OpenXrDisplay::end(const FrameInfo& frame) {
+  impl_->guard([&] {
+    if (!impl_->seat->session.frame_begun()) return;
+    if (frame.should_render)
+      impl_->show();
+    else
+      impl_->seat->session.end_frame(nullptr);
+  });
+}
+
+std::span<const Key> OpenXrDisplay::poll() {
+  impl_->guard([this] { impl_->seat->session.take_events(); });
+  return {};
+}
+
+bool OpenXrDisplay::closed() const {
+  return impl_->closed || (impl_->seat && impl_->seat->session.over());
+}
+
+void OpenXrDisplay::finish() {
+  impl_->guard([this] { impl_->seat->session.leave(); });
+  impl_->let_go();
+  impl_->closed = true;
+  if (!impl_->failure.empty()) throw Error(impl_->failure);
+}
+
+std::vector<std::string> OpenXrDisplay::report() const {
+  const OpenXrSession::Count& count = impl_->count;
+  return {"showed " + std::to_string(count.seen) + " of " + std::to_string(count.frames) + " frames in the headset " +
+          impl_->headset + " of " + impl_->instance.runtime_name() + ", " + std::to_string(count.missed) + " missed"};
+}
+
+}  // namespace onestroke
