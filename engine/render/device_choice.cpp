@@ -124,9 +124,10 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
   std::vector<const char*> extensions;
   for (const auto& name : options.needs.device_extensions) extensions.push_back(name.c_str());
   vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true, .maintenance4 = true};
-  vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .timelineSemaphore = true};
+  // By itself, not among Vulkan 1.2's: Monado looks for it alone, and would ask for it again.
+  vk::PhysicalDeviceTimelineSemaphoreFeatures timeline{.pNext = &v13, .timelineSemaphore = true};
   // Every Vulkan 1.1 device has multiview.
-  vk::PhysicalDeviceVulkan11Features v11{.pNext = &v12, .multiview = true};
+  vk::PhysicalDeviceVulkan11Features v11{.pNext = &timeline, .multiview = true};
   const vk::PhysicalDeviceFeatures2 features{
       .pNext = &v11,
       .features = {.samplerAnisotropy = physical.getFeatures().samplerAnisotropy, .shaderClipDistance = true}};
