@@ -7,6 +7,7 @@
 #include "display/openxr_vulkan.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <thread>
 
@@ -16,6 +17,8 @@ namespace {
 
 // How often a headset that shows nothing is looked at again.
 constexpr std::chrono::milliseconds pause(10);
+// How often a runtime that went away is looked for.
+constexpr Duration between_tries = Duration::from_seconds(1);
 
 /// All that is made anew with another Gpu.
 struct Seat {
@@ -36,26 +39,39 @@ struct Seat {
 }  // namespace
 
 struct OpenXrDisplay::Impl {
-  OpenXrInstance instance;
-  OpenXrVulkan vulkan{instance};
-  OpenXrClock clock{instance};
-  std::string headset = instance.headset_name();
+  // None while the runtime is away.
+  std::optional<OpenXrInstance> instance;
+  std::optional<OpenXrClock> clock;
+  OpenXrVulkan vulkan;
+  std::string runtime, headset;
+  // None before attach(), and from a loss to the next attach().
   std::optional<Seat> seat;
   OpenXrSession::Count count;
-  Time last = Time::now();
+  Time last = Time::now(), next_try;
   std::string failure;
-  bool closed = false;
+  bool closed = false, lost = false;
+
+  Impl() { connect(); }
+
+  void connect() {
+    instance.emplace();
+    clock.emplace(*instance);
+    vulkan.use(*instance);
+    runtime = instance->runtime_name();
+    headset = instance->headset_name();
+  }
 
   /// What to draw and for when. Leaves `should_render` false where there is nobody to see it.
   void begin(FrameInfo& frame) {
-    if (!seat->session.running()) {
+    if (!seat || !seat->session.running()) {
       std::this_thread::sleep_for(pause);
       last = std::max(last, Time::now());
+      if (!instance) try_again();
       return;
     }
     const XrFrameState state = seat->session.begin_frame();
     // A runtime's first guess may lie before what was said last.
-    last = std::max(last, clock.to_ours(state.predictedDisplayTime));
+    last = std::max(last, clock->to_ours(state.predictedDisplayTime));
     if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
     frame.target = seat->swapchain.acquire();
     if (!frame.target) return;
@@ -64,6 +80,14 @@ struct OpenXrDisplay::Impl {
       frame.views.at(i).viewport = {0, 0, frame.target->width, frame.target->height};
     }
     frame.should_render = true;
+  }
+
+  void end(const FrameInfo& frame) {
+    if (!seat || !seat->session.frame_begun()) return;
+    if (frame.should_render)
+      show();
+    else
+      seat->session.end_frame(nullptr);
   }
 
   void show() {
@@ -82,28 +106,51 @@ struct OpenXrDisplay::Impl {
     seat->session.end_frame(&layer);
   }
 
-  /// Runs what may throw in the loop; the first error ends the show.
+  /// Runs what may throw in the loop. A runtime that goes is waited for; any other error ends the show.
   template <typename Work>
   void guard(Work&& work) noexcept {
-    if (closed || !seat) return;
+    if (closed) return;
     try {
       work();
-      if (seat->session.loss_pending()) fail("it is about to end");
+      if (seat && seat->session.loss_pending()) wait_for_runtime();
     } catch (const OpenXrError& error) {
-      fail(error.lost() ? "it ended" : error.what());
+      if (error.lost())
+        wait_for_runtime();
+      else
+        fail(error);
     } catch (const std::exception& error) {
-      fail(error.what());
+      fail(error);
     }
   }
 
-  void fail(const std::string& why) {
-    failure =
-        "the OpenXR runtime " + instance.runtime_name() + " cannot go on: start it and onestroke again (" + why + ")";
+  void fail(const std::exception& error) {
+    failure = "the headset cannot go on: restart the OpenXR runtime " + runtime + " (" + error.what() + ")";
     closed = true;
   }
 
+  void wait_for_runtime() {
+    std::fprintf(stderr, "onestroke: the OpenXR runtime %s went away; the show goes on when it is back\n",
+                 runtime.c_str());
+    let_go();
+    clock.reset();
+    instance.reset();
+    lost = true;
+    next_try = Time::now() + between_tries;
+  }
+
+  void try_again() {
+    if (Time::now() < next_try) return;
+    next_try = Time::now() + between_tries;
+    try {
+      connect();
+    } catch (const Error&) {
+      clock.reset();
+      instance.reset();
+    }
+  }
+
   void let_go() {
-    if (seat) count = seat->session.count();
+    if (seat) count += seat->session.count();
     seat.reset();
   }
 };
@@ -117,7 +164,8 @@ GpuNeeds OpenXrDisplay::needs() const {
 
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
-  impl_->seat.emplace(impl_->instance, gpu.device());
+  impl_->seat.emplace(impl_->instance.value(), gpu.device());
+  impl_->lost = false;
 }
 
 void OpenXrDisplay::begin(FrameInfo& frame) {
@@ -129,17 +177,13 @@ void OpenXrDisplay::begin(FrameInfo& frame) {
 }
 
 void OpenXrDisplay::end(const FrameInfo& frame) {
-  impl_->guard([&] {
-    if (!impl_->seat->session.frame_begun()) return;
-    if (frame.should_render)
-      impl_->show();
-    else
-      impl_->seat->session.end_frame(nullptr);
-  });
+  impl_->guard([&] { impl_->end(frame); });
 }
 
 std::span<const Key> OpenXrDisplay::poll() {
-  impl_->guard([this] { impl_->seat->session.take_events(); });
+  impl_->guard([this] {
+    if (impl_->seat) impl_->seat->session.take_events();
+  });
   return {};
 }
 
@@ -147,8 +191,14 @@ bool OpenXrDisplay::closed() const {
   return impl_->closed || (impl_->seat && impl_->seat->session.over());
 }
 
+bool OpenXrDisplay::gpu_lost() const {
+  return impl_->lost && impl_->instance && !impl_->closed;
+}
+
 void OpenXrDisplay::finish() {
-  impl_->guard([this] { impl_->seat->session.leave(); });
+  impl_->guard([this] {
+    if (impl_->seat) impl_->seat->session.leave();
+  });
   impl_->let_go();
   impl_->closed = true;
   if (!impl_->failure.empty()) throw Error(impl_->failure);
@@ -157,7 +207,7 @@ void OpenXrDisplay::finish() {
 std::vector<std::string> OpenXrDisplay::report() const {
   const OpenXrSession::Count& count = impl_->count;
   return {"showed " + std::to_string(count.seen) + " of " + std::to_string(count.frames) + " frames in the headset " +
-          impl_->headset + " of " + impl_->instance.runtime_name() + ", " + std::to_string(count.missed) + " missed"};
+          impl_->headset + " of " + impl_->runtime + ", " + std::to_string(count.missed) + " missed"};
 }
 
 }  // namespace onestroke

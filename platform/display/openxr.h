@@ -15,11 +15,14 @@ class OpenXrDisplay final : public Display {
 
   GpuNeeds needs() const override;
   void attach(Gpu& gpu) override;
-  /// Where the headset is not worn, or another program has it, waits a little and wants nothing drawn.
+  /// Where the headset is not worn, another program has it or the runtime went away, waits a little and wants nothing
+  /// drawn.
   void begin(FrameInfo& frame) override;
   void end(const FrameInfo& frame) override;
   std::span<const Key> poll() override;
   bool closed() const override;
+  /// Also where the runtime went away, once it is back: the Gpu was made through it.
+  bool gpu_lost() const override;
   bool tracks_head() const override { return true; }
   void finish() override;
   std::vector<std::string> report() const override;

@@ -39,6 +39,13 @@ class OpenXrSession {
     std::int64_t frames = 0;  ///< Begun.
     std::int64_t seen = 0;    ///< Ended with something drawn.
     std::int64_t missed = 0;  ///< Display periods between frames for which there was none.
+
+    Count& operator+=(const Count& more) {
+      frames += more.frames;
+      seen += more.seen;
+      missed += more.missed;
+      return *this;
+    }
   };
   const Count& count() const { return count_; }
 

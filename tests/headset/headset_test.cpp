@@ -11,7 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 
 namespace onestroke {
@@ -101,9 +103,8 @@ TEST_F(AnyHead, FramesAreTimedOnOurClock) {
   for (std::size_t i = 1; i < shown.size(); ++i) EXPECT_GT(shown[i].time, shown[i - 1].time);
   std::ranges::sort(ahead);
   const Duration median = ahead[ahead.size() / 2];
-  std::cerr << "ahead " << ahead.front().ms() << " " << median.ms() << " " << ahead.back().ms() << "\n";
-  EXPECT_GT(median.ms(), -200);
-  EXPECT_LT(median.ms(), 200);
+  EXPECT_GT(median.ms(), 0);
+  EXPECT_LT(median.ms(), 100);
 }
 
 TEST_F(AnyHead, IsShownAgainWithAnotherGpu) {
@@ -121,6 +122,28 @@ TEST_F(AnyHead, IsShownAgainByAnotherDisplay) {
   display.emplace();
   start();
   show(5);
+}
+
+TEST_F(AnyHead, ComesBackWhenTheServiceWasKilled) {
+  show(10);
+  int service = 0;
+  std::ifstream(std::getenv("MONADO_PID_FILE")) >> service;
+  ASSERT_GT(service, 0);
+  ASSERT_EQ(kill(service, SIGKILL), 0);
+  for (const Time until = Time::now() + longest_show; !display->gpu_lost() && Time::now() < until;) {
+    ASSERT_FALSE(display->closed());
+    FrameInfo frame;
+    display->poll();
+    display->begin(frame);
+    if (frame.should_render) {
+      ASSERT_TRUE(renderer->draw({}, frame)) << renderer->failure();
+    }
+    display->end(frame);
+  }
+  ASSERT_TRUE(display->gpu_lost());
+  start();
+  EXPECT_FALSE(display->gpu_lost());
+  show(10);
 }
 
 TEST_F(StillHead, ViewsStayWhereTheyAre) {
