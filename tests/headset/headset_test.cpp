@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <thread>
 
 namespace onestroke {
 namespace {
@@ -74,6 +75,7 @@ class Headset : public testing::Test {
 };
 
 using AnyHead = Headset;
+using OtherProgram = Headset;
 using StillHead = Headset;
 using WobblingHead = Headset;
 using Window = Headset;
@@ -124,6 +126,44 @@ TEST_F(AnyHead, IsShownAgainByAnotherDisplay) {
   show(5);
 }
 
+/// A frame of nothing; whether it was wanted.
+bool blink(OpenXrDisplay& display, Renderer& renderer) {
+  FrameInfo frame;
+  display.poll();
+  display.begin(frame);
+  if (frame.should_render) {
+    EXPECT_TRUE(renderer.draw({}, frame)) << renderer.failure();
+  }
+  display.end(frame);
+  return frame.should_render;
+}
+
+/// What the other program does.
+TEST_F(OtherProgram, ShowsForASecond) {
+  show(10);
+  const Time until = shown.back().time + Duration::from_seconds(1);
+  while (shown.back().time < until) show(1);
+}
+
+TEST_F(AnyHead, GivesWayToAnotherProgramAndComesBack) {
+  show(10);
+  std::atomic<bool> over{false};
+  int status = -1, waited = 0;
+  const std::string other =
+      std::string(std::getenv("MONADO_RUN")) + " " HEADSET_PROGRAM " --gtest_filter=OtherProgram.*";
+  {
+    const std::jthread program([&] {
+      status = std::system(other.c_str());
+      over = true;
+    });
+    while (!over && !display->closed())
+      if (!blink(*display, *renderer)) ++waited;
+  }
+  EXPECT_EQ(status, 0);
+  EXPECT_GT(waited, 10);
+  show(10);
+}
+
 TEST_F(AnyHead, ComesBackWhenTheServiceWasKilled) {
   show(10);
   int service = 0;
@@ -132,13 +172,7 @@ TEST_F(AnyHead, ComesBackWhenTheServiceWasKilled) {
   ASSERT_EQ(kill(service, SIGKILL), 0);
   for (const Time until = Time::now() + longest_show; !display->gpu_lost() && Time::now() < until;) {
     ASSERT_FALSE(display->closed());
-    FrameInfo frame;
-    display->poll();
-    display->begin(frame);
-    if (frame.should_render) {
-      ASSERT_TRUE(renderer->draw({}, frame)) << renderer->failure();
-    }
-    display->end(frame);
+    blink(*display, *renderer);
   }
   ASSERT_TRUE(display->gpu_lost());
   start();
