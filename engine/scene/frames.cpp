@@ -31,7 +31,11 @@ Pose from_graphics(const glm::mat4& m) {
 
 Pose from_graphics(Quat r, Vec3 t) {
   return {normalized(Quat{r.w, flip[0] * r.x, flip[1] * r.y, flip[2] * r.z}),
-          Vec3{flip[0] * t.x, flip[1] * t.y, flip[2] * t.z} / metres_per_millimetre};
+          direction_from_graphics(t) / metres_per_millimetre};
+}
+
+Vec3 direction_from_graphics(Vec3 d) {
+  return {flip[0] * d.x, flip[1] * d.y, flip[2] * d.z};
 }
 
 glm::vec3 point_to_graphics(Vec3 p) {

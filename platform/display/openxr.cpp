@@ -1,6 +1,7 @@
 #include "display/openxr.h"
 
 #include "display/openxr_clock.h"
+#include "display/openxr_head.h"
 #include "display/openxr_session.h"
 #include "display/openxr_spaces.h"
 #include "display/openxr_swapchain.h"
@@ -25,12 +26,14 @@ struct Seat {
   std::shared_ptr<Device> device;
   OpenXrSession session;
   OpenXrSpaces spaces;
+  OpenXrHead head;
   OpenXrSwapchain swapchain;
 
   Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
       : device(std::move(gpu)),
         session(instance, *device),
         spaces(session.handle()),
+        head(session.handle()),
         swapchain(*device, session.handle(), session.view_size()) {}
   Seat(const Seat&) = delete;
   ~Seat() { device->wait_idle(); }
@@ -70,6 +73,9 @@ struct OpenXrDisplay::Impl {
       return;
     }
     const XrFrameState state = seat->session.begin_frame();
+    if (seat->session.take_recentred()) seat->head.forget();
+    const Time now = Time::now();
+    seat->head.sample(seat->spaces.world(), clock->to_runtime(now), now);
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
     if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
@@ -189,6 +195,12 @@ std::span<const Key> OpenXrDisplay::poll() {
 
 bool OpenXrDisplay::closed() const {
   return impl_->closed || (impl_->seat && impl_->seat->session.over());
+}
+
+std::optional<Pose> OpenXrDisplay::head_at(Time time) const {
+  if (!impl_->seat) return std::nullopt;
+  const PoseHistory::Answer answer = impl_->seat->head.history().get(time);
+  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(answer.pose);
 }
 
 bool OpenXrDisplay::gpu_lost() const {

@@ -24,6 +24,7 @@ class OpenXrDisplay final : public Display {
   /// Also where the runtime went away, once it is back: the Gpu was made through it.
   bool gpu_lost() const override;
   bool tracks_head() const override { return true; }
+  std::optional<Pose> head_at(Time time) const override;
   void finish() override;
   std::vector<std::string> report() const override;
 

@@ -67,6 +67,7 @@ void OpenXrSession::take_events() {
   XrEventDataBuffer event;
   while (instance_.next_event(event)) {
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) loss_pending_ = true;
+    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) recentred_ = true;
     if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
     const auto& changed = *reinterpret_cast<const XrEventDataSessionStateChanged*>(&event);
     // There may be word of a session that was let go.

@@ -3,6 +3,8 @@
 #include "display/openxr_instance.h"
 #include "render/device.h"
 
+#include <utility>
+
 namespace onestroke {
 
 /// The program's turn at the headset, from state to state as the runtime leads it.
@@ -21,6 +23,8 @@ class OpenXrSession {
   bool running() const { return running_; }
   /// True once the runtime wants no more of this session, be it that the program or the wearer asked to leave.
   bool over() const { return over_; }
+  /// True once after the wearer, or the runtime, has moved the origin of the world (a recentring).
+  bool take_recentred() { return std::exchange(recentred_, false); }
   /// True where the runtime is about to go, or to take the session back.
   bool loss_pending() const { return loss_pending_; }
 
@@ -57,7 +61,7 @@ class OpenXrSession {
   VkExtent2D view_size_;
   XrEnvironmentBlendMode blend_mode_;
   OpenXrOwned<XrSession, xrDestroySession> session_;
-  bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false;
+  bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false, recentred_ = false;
   XrTime display_time_ = 0;
   Count count_;
 };

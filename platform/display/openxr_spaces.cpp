@@ -8,15 +8,6 @@ namespace onestroke {
 
 namespace {
 
-XrSpace make_space(XrSession session, XrReferenceSpaceType kind) {
-  auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
-  info.referenceSpaceType = kind;
-  info.poseInReferenceSpace.orientation.w = 1;
-  XrSpace space = XR_NULL_HANDLE;
-  check(xrCreateReferenceSpace(session, &info, &space), "the OpenXR runtime does not follow the head: restart it");
-  return space;
-}
-
 Quat quat_of(const XrQuaternionf& q) {
   return {q.w, q.x, q.y, q.z};
 }
@@ -28,6 +19,19 @@ XrVector3f xr_vector(Vec3 v) {
 }
 
 }  // namespace
+
+XrSpace make_space(XrSession session, XrReferenceSpaceType kind) {
+  auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
+  info.referenceSpaceType = kind;
+  info.poseInReferenceSpace.orientation.w = 1;
+  XrSpace space = XR_NULL_HANDLE;
+  check(xrCreateReferenceSpace(session, &info, &space), "the OpenXR runtime does not follow the head: restart it");
+  return space;
+}
+
+Pose pose_of(const XrPosef& pose) {
+  return from_graphics(quat_of(pose.orientation), vector_of(pose.position));
+}
 
 OpenXrSpaces::OpenXrSpaces(XrSession session)
     : session_(session), world_(make_space(session, XR_REFERENCE_SPACE_TYPE_LOCAL)) {
@@ -62,7 +66,7 @@ void OpenXrSpaces::keep_place() {
 
 View OpenXrSpaces::view(std::size_t i) const {
   const XrView& eye = eyes_.at(i);
-  return {.T_world_view = from_graphics(quat_of(eye.pose.orientation), vector_of(eye.pose.position)),
+  return {.T_world_view = pose_of(eye.pose),
           .fov = {.left = std::tan(double{eye.fov.angleLeft}),
                   .right = std::tan(double{eye.fov.angleRight}),
                   .up = std::tan(double{eye.fov.angleUp}),

@@ -9,6 +9,12 @@
 
 namespace onestroke {
 
+/// A space of the runtime's own, its origin as it is. Throws OpenXrError.
+XrSpace make_space(XrSession session, XrReferenceSpaceType kind);
+
+/// A pose of OpenXR's in vision axes and mm.
+Pose pose_of(const XrPosef& pose);
+
 /// Where the eyes are in the world, which is the runtime's LOCAL space: its origin near where the head was at the
 /// start, and upright.
 class OpenXrSpaces {

@@ -189,6 +189,23 @@ TEST_F(StillHead, ViewsStayWhereTheyAre) {
   }
 }
 
+// The runtime predicted the eyes for when they would see the frame; the head's history tells where they were then. The
+// simulated head moves by a formula, so that its predictions come true.
+TEST_F(WobblingHead, TheHeadIsRememberedWhereItWasPredicted) {
+  show(60);
+  int compared = 0;
+  for (const FrameInfo& frame : shown) {
+    if (frame.time > Time::now()) continue;
+    const auto head = display->head_at(frame.time);
+    if (!head) continue;
+    ++compared;
+    const Pose &left = frame.views[0].T_world_view, &right = frame.views[1].T_world_view;
+    EXPECT_NEAR(norm(head->translation - 0.5 * (left.translation + right.translation)), 0, 2) << "mm";
+    EXPECT_NEAR(angle_between(head->rotation, left.rotation), 0, 0.005);
+  }
+  EXPECT_GT(compared, 40);
+}
+
 TEST_F(WobblingHead, ViewsMoveSmoothly) {
   show(60);
   double longest_step = 0, farthest = 0;
