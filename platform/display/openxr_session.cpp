@@ -112,12 +112,13 @@ XrFrameState OpenXrSession::begin_frame() {
   return frame;
 }
 
-// The first period is a guess of the runtime's, with no frame before it to count from.
+// The first period is a guess of the runtime's, with no frame before it to count from. Later ones become longer where a
+// runtime gives up on a program that is late; the screen's own is the shortest.
 void OpenXrSession::count_missed(const XrFrameState& frame) {
-  const XrDuration period = frame.predictedDisplayPeriod;
-  if (count_.frames < 2 || period <= 0) return;
+  if (count_.frames < 2 || frame.predictedDisplayPeriod <= 0) return;
+  shortest_period_ = std::min(shortest_period_, frame.predictedDisplayPeriod);
   const XrDuration since = frame.predictedDisplayTime - display_time_;
-  count_.missed += std::max<std::int64_t>(0, (since + period / 2) / period - 1);
+  count_.missed += std::max<std::int64_t>(0, (since + shortest_period_ / 2) / shortest_period_ - 1);
 }
 
 void OpenXrSession::end_frame(const XrCompositionLayerProjection* layer) {

@@ -3,6 +3,7 @@
 #include "display/openxr_instance.h"
 #include "render/device.h"
 
+#include <limits>
 #include <utility>
 
 namespace onestroke {
@@ -63,6 +64,7 @@ class OpenXrSession {
   OpenXrOwned<XrSession, xrDestroySession> session_;
   bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false, recentred_ = false;
   XrTime display_time_ = 0;
+  XrDuration shortest_period_ = std::numeric_limits<XrDuration>::max();
   Count count_;
 };
 

@@ -13,7 +13,9 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
+#include <iostream>
 #include <optional>
 #include <thread>
 
@@ -22,7 +24,20 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Duration longest_show = Duration::from_seconds(60);
+constexpr Duration longest_show = Duration::from_seconds(150);
+
+/// What this thread has used so far.
+Duration cpu_time() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return {std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec};
+}
+
+template <typename T>
+T median_of(std::vector<T> values) {
+  std::ranges::sort(values);
+  return values.at(values.size() / 2);
+}
 
 class Headset : public testing::Test {
  protected:
@@ -51,8 +66,11 @@ class Headset : public testing::Test {
         ModelInstance{.model = ring, .world_graphics_from_model = golden::placed(0, 0, -0.4F, 0, 0)}};
     const Time until = Time::now() + longest_show;
     shown.clear();
+    ahead.clear();
+    cpu.clear();
     while (shown.size() < frames && Time::now() < until && !display->closed()) {
       display->poll();
+      const Duration cpu_begun = cpu_time();
       FrameInfo frame;
       display->begin(frame);
       const Time begun = Time::now();
@@ -62,6 +80,7 @@ class Headset : public testing::Test {
         ahead.push_back(frame.time - begun);
       }
       display->end(frame);
+      if (frame.should_render) cpu.push_back(cpu_time() - cpu_begun);
     }
     ASSERT_EQ(shown.size(), frames) << "closed: " << display->closed();
   }
@@ -71,7 +90,7 @@ class Headset : public testing::Test {
   std::optional<Renderer> renderer;
   ModelHandle ring;
   std::vector<FrameInfo> shown;
-  std::vector<Duration> ahead;
+  std::vector<Duration> ahead, cpu;
 };
 
 using AnyHead = Headset;
@@ -100,11 +119,17 @@ TEST_F(AnyHead, SeesAPairOfViewsInTwoLayers) {
   }
 }
 
+TEST_F(AnyHead, ShowsSixHundredFrames) {
+  show(600);
+  display->finish();
+  for (const std::string& line : display->report()) std::cout << line << '\n';
+  std::cout << "CPU time of this thread per frame: " << median_of(cpu).ms() << " ms\n";
+}
+
 TEST_F(AnyHead, FramesAreTimedOnOurClock) {
   show(40);
   for (std::size_t i = 1; i < shown.size(); ++i) EXPECT_GT(shown[i].time, shown[i - 1].time);
-  std::ranges::sort(ahead);
-  const Duration median = ahead[ahead.size() / 2];
+  const Duration median = median_of(ahead);
   EXPECT_GT(median.ms(), 0);
   EXPECT_LT(median.ms(), 100);
 }
@@ -193,17 +218,18 @@ TEST_F(StillHead, ViewsStayWhereTheyAre) {
 // simulated head moves by a formula, so that its predictions come true.
 TEST_F(WobblingHead, TheHeadIsRememberedWhereItWasPredicted) {
   show(60);
-  int compared = 0;
+  std::vector<double> apart_mm, apart_rad;
   for (const FrameInfo& frame : shown) {
-    if (frame.time > Time::now()) continue;
-    const auto head = display->head_at(frame.time);
+    const auto head = frame.time < Time::now() ? display->head_at(frame.time) : std::nullopt;
     if (!head) continue;
-    ++compared;
     const Pose &left = frame.views[0].T_world_view, &right = frame.views[1].T_world_view;
-    EXPECT_NEAR(norm(head->translation - 0.5 * (left.translation + right.translation)), 0, 2) << "mm";
-    EXPECT_NEAR(angle_between(head->rotation, left.rotation), 0, 0.005);
+    apart_mm.push_back(norm(head->translation - 0.5 * (left.translation + right.translation)));
+    apart_rad.push_back(angle_between(head->rotation, left.rotation));
   }
-  EXPECT_GT(compared, 40);
+  ASSERT_GT(apart_mm.size(), 40U);
+  // A clock that is 5 ms off makes 0.5 mm and 0.00025 rad of it; a frame between samples far apart is no matter.
+  EXPECT_LT(median_of(apart_mm), 0.25);
+  EXPECT_LT(median_of(apart_rad), 0.0001);
 }
 
 TEST_F(WobblingHead, ViewsMoveSmoothly) {
