@@ -1,5 +1,5 @@
-// The headset's display on a runtime that nobody here wrote: Monado with its simulated headset. CMake runs this with
-// with_monado.
+// The headset's display on a runtime that nobody here wrote: Monado with its
+// simulated headset. CMake runs this with with_monado.
 #include "core/error.h"
 #include "display/openxr.h"
 #include "golden/solids.h"
@@ -60,7 +60,8 @@ class Headset : public testing::Test {
     EXPECT_EQ(validation_messages, 0);
   }
 
-  /// Shows so many frames of a ring before a colour, and keeps what the display said of each.
+  /// Shows so many frames of a ring before a colour, and keeps what the display
+  /// said of each.
   void show(std::size_t frames, const Color& color = {}) {
     const std::array instances{
         ModelInstance{.model = ring, .world_graphics_from_model = golden::placed(0, 0, -0.4F, 0, 0)}};
@@ -123,7 +124,8 @@ TEST_F(AnyHead, ShowsSixHundredFrames) {
   show(600);
   display->finish();
   for (const std::string& line : display->report()) std::cout << line << '\n';
-  std::cout << "CPU time of this thread per frame: " << median_of(cpu).ms() << " ms\n";
+  std::cout << "600 frames in " << (shown.back().time - shown.front().time).seconds()
+            << " s; CPU time of this thread per frame: " << median_of(cpu).ms() << " ms\n";
 }
 
 TEST_F(AnyHead, FramesAreTimedOnOurClock) {
@@ -214,8 +216,9 @@ TEST_F(StillHead, ViewsStayWhereTheyAre) {
   }
 }
 
-// The runtime predicted the eyes for when they would see the frame; the head's history tells where they were then. The
-// simulated head moves by a formula, so that its predictions come true.
+// The runtime predicted the eyes for when they would see the frame; the head's
+// history tells where they were then. The simulated head moves by a formula, so
+// that its predictions come true.
 TEST_F(WobblingHead, TheHeadIsRememberedWhereItWasPredicted) {
   show(60);
   std::vector<double> apart_mm, apart_rad;
@@ -227,7 +230,8 @@ TEST_F(WobblingHead, TheHeadIsRememberedWhereItWasPredicted) {
     apart_rad.push_back(angle_between(head->rotation, left.rotation));
   }
   ASSERT_GT(apart_mm.size(), 40U);
-  // A clock that is 5 ms off makes 0.5 mm and 0.00025 rad of it; a frame between samples far apart is no matter.
+  // A clock that is 5 ms off makes 0.5 mm and 0.00025 rad of it; a frame
+  // between samples far apart is no matter.
   EXPECT_LT(median_of(apart_mm), 0.25);
   EXPECT_LT(median_of(apart_rad), 0.0001);
 }
