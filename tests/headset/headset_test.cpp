@@ -285,6 +285,18 @@ TEST(NoRuntime, IsSaidWithTheRemedy) {
   EXPECT_THAT(refusal(), HasSubstr("there is no OpenXR runtime: install Monado"));
 }
 
+TEST(NoHeadset, IsSaidWithTheRemedy) {
+  EXPECT_THAT(refusal(), HasSubstr("the OpenXR runtime a fake finds no headset: plug it in, switch it on"));
+}
+
+TEST(NoVulkan, IsSaidWithTheRemedy) {
+  EXPECT_THAT(refusal(), HasSubstr("the OpenXR runtime lacks XR_KHR_vulkan_enable2: update it"));
+}
+
+TEST(NoClock, IsSaidWithTheRemedy) {
+  EXPECT_THAT(refusal(), HasSubstr("the OpenXR runtime lacks XR_KHR_convert_timespec_time: update it"));
+}
+
 TEST(NoService, IsSaidWithTheRemedy) {
   EXPECT_THAT(refusal(), HasSubstr("the OpenXR runtime does not answer: start its service"));
 }
