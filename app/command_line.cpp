@@ -82,7 +82,8 @@ void add_run(CLI::App& program, RunOptions& options) {
   add_camera(run, options.source);
   run.add_option("--display", options.display, help::display)
       ->type_name("SPEC")
-      ->check(one_of({{"window", More::none}, {"offscreen", More::must}}, "window or offscreen:DIR"));
+      ->check(one_of({{"window", More::none}, {"openxr", More::none}, {"offscreen", More::must}},
+                     "window, openxr or offscreen:DIR"));
   run.add_flag("--stereo", options.stereo, help::stereo);
   run.add_flag_callback(
       "--no-fingers", [&options] { options.fingers = false; }, help::no_fingers);

@@ -8,7 +8,7 @@ namespace {
 // ':' parts words in bash, so what follows "file:" is a word of its own; it is a file's name.
 constexpr const char* values = R"(  case "$prev" in
     --camera) COMPREPLY=($(compgen -W "synthetic file: folder:" -- "$cur")); return ;;
-    --display) COMPREPLY=($(compgen -W "window offscreen:" -- "$cur")); return ;;
+    --display) COMPREPLY=($(compgen -W "window openxr offscreen:" -- "$cur")); return ;;
     --mode) COMPREPLY=($(compgen -W "exposure fresh" -- "$cur")); return ;;
     --completion) COMPREPLY=($(compgen -W "bash" -- "$cur")); return ;;
     --overlay) COMPREPLY=($(compgen -d -- "$cur")); return ;;

@@ -36,9 +36,8 @@ inline constexpr const char* catalog =
 
 inline constexpr const char* run = "Follow the markers and show their models over the camera's picture";
 inline constexpr const char* display =
-    "Where to show it: window or offscreen:DIR (numbered pictures). Default: a window where there "
-    "is a "
-    "display, otherwise off-screen";
+    "Where to show it: window, openxr (a headset) or offscreen:DIR (numbered pictures). Default: a "
+    "window where there is a display, otherwise off-screen";
 inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
 inline constexpr const char* no_fingers = "Show models before the fingers that hold their sticks";
 inline constexpr const char* left_handed =

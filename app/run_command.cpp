@@ -64,7 +64,10 @@ SourceOptions source_for(SourceOptions source, bool offscreen) {
 DisplayOptions display_options(const RunOptions& options, bool offscreen, double rate) {
   DisplayOptions display{.rate = rate};
   if (!options.stereo) return display;
-  if (!offscreen) throw UsageError("a window shows one view: leave out --stereo, or use --display offscreen:DIR");
+  if (!offscreen)
+    throw UsageError(
+        "--stereo is for files alone, since a window shows one view and a headset two anyway: leave it out, "
+        "or use --display offscreen:DIR");
   display.views = 2;
   display.width *= 2;
   return display;

@@ -76,10 +76,25 @@ const vk::raii::PhysicalDevice& choose_named(const std::vector<vk::raii::Physica
   return devices[*named];
 }
 
+/// The one that the headset hangs on. Another is of no use, even where it was asked for.
+vk::raii::PhysicalDevice choose_hooked(const vk::raii::Instance& instance, const GpuOptions& options) {
+  vk::raii::PhysicalDevice device(instance, options.needs.hooks->choose_device(*instance));
+  const std::string name = device.getProperties().deviceName.data();
+  const std::string lacking = shortfall(device, options);
+  if (!lacking.empty())
+    throw Error("GPU \"" + name + "\", which the headset hangs on, cannot be used, " + lacking + ": update its driver");
+  if (options.gpu.empty()) return device;
+  const auto devices = vk::raii::PhysicalDevices(instance);
+  const auto named = find_named(devices, options.gpu);
+  if (!named || *devices[*named] != *device)
+    throw Error("the headset hangs on GPU \"" + name + "\", not on \"" + options.gpu + "\": leave out --gpu");
+  return device;
+}
+
 }  // namespace
 
 vk::raii::PhysicalDevice choose_device(const vk::raii::Instance& instance, const GpuOptions& options) {
-  if (options.needs.hooks) return {instance, options.needs.hooks->choose_device(*instance)};
+  if (options.needs.hooks) return choose_hooked(instance, options);
   auto devices = vk::raii::PhysicalDevices(instance);
   if (!options.gpu.empty()) return choose_named(devices, options);
   std::stable_sort(devices.begin(), devices.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
@@ -109,9 +124,10 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
   std::vector<const char*> extensions;
   for (const auto& name : options.needs.device_extensions) extensions.push_back(name.c_str());
   vk::PhysicalDeviceVulkan13Features v13{.synchronization2 = true, .dynamicRendering = true, .maintenance4 = true};
-  vk::PhysicalDeviceVulkan12Features v12{.pNext = &v13, .timelineSemaphore = true};
+  // By itself, not among Vulkan 1.2's: Monado looks for it alone, and would ask for it again.
+  vk::PhysicalDeviceTimelineSemaphoreFeatures timeline{.pNext = &v13, .timelineSemaphore = true};
   // Every Vulkan 1.1 device has multiview.
-  vk::PhysicalDeviceVulkan11Features v11{.pNext = &v12, .multiview = true};
+  vk::PhysicalDeviceVulkan11Features v11{.pNext = &timeline, .multiview = true};
   const vk::PhysicalDeviceFeatures2 features{
       .pNext = &v11,
       .features = {.samplerAnisotropy = physical.getFeatures().samplerAnisotropy, .shaderClipDistance = true}};
@@ -121,7 +137,9 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
                                   .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
                                   .ppEnabledExtensionNames = extensions.data()};
   try {
-    if (options.needs.hooks) return {physical, options.needs.hooks->create_device(*physical, info)};
+    if (options.needs.hooks)
+      return {physical,
+              options.needs.hooks->create_device(physical.getDispatcher()->vkGetInstanceProcAddr, *physical, info)};
     return physical.createDevice(info);
   } catch (const vk::SystemError& error) {
     throw Error(std::string("the GPU's driver refuses to start: update it or choose another with --gpu (") +

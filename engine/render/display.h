@@ -5,6 +5,7 @@
 #include "render/view.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -71,6 +72,9 @@ class Display {
   virtual bool gpu_lost() const { return false; }
   /// True where views follow the wearer's head and must not be moved.
   virtual bool tracks_head() const = 0;
+  /// T_world_head, the head's axes being those of a view straight ahead, at a time of late or soon; none where it is
+  /// not known, or no head is tracked.
+  virtual std::optional<Pose> head_at(Time) const { return std::nullopt; }
 
   /// Ends the show: waits, and finishes files. Throws Error with what went wrong since attach(). Harmless when called
   /// twice.

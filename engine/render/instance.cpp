@@ -75,7 +75,8 @@ vk::raii::Instance create_instance(const vk::raii::Context& context, const GpuOp
                                     .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
                                     .ppEnabledExtensionNames = extensions.data()};
   try {
-    if (options.needs.hooks) return {context, options.needs.hooks->create_instance(info)};
+    if (options.needs.hooks)
+      return {context, options.needs.hooks->create_instance(context.getDispatcher()->vkGetInstanceProcAddr, info)};
     return context.createInstance(info);
   } catch (const vk::SystemError& error) {
     throw Error(std::string("no Vulkan driver works here: apt install mesa-vulkan-drivers or the GPU's driver (") +

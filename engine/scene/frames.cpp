@@ -29,6 +29,15 @@ Pose from_graphics(const glm::mat4& m) {
   return {to_quat(r), point_from_graphics(glm::vec3(m[3]))};
 }
 
+Pose from_graphics(Quat r, Vec3 t) {
+  return {normalized(Quat{r.w, flip[0] * r.x, flip[1] * r.y, flip[2] * r.z}),
+          direction_from_graphics(t) / metres_per_millimetre};
+}
+
+Vec3 direction_from_graphics(Vec3 d) {
+  return {flip[0] * d.x, flip[1] * d.y, flip[2] * d.z};
+}
+
 glm::vec3 point_to_graphics(Vec3 p) {
   return direction_to_graphics(metres_per_millimetre * p);
 }

@@ -20,6 +20,12 @@ glm::mat4 to_graphics(const Pose& T);
 /// The inverse of to_graphics. The matrix must be rigid up to rounding.
 Pose from_graphics(const glm::mat4& m);
 
+/// The same for a transform that comes as a rotation and a translation in metres, as OpenXR's do.
+Pose from_graphics(Quat rotation, Vec3 translation_m);
+
+/// A direction, or a rate of turning, that comes so: only the axes change.
+Vec3 direction_from_graphics(Vec3 d);
+
 /// A point: vision mm to graphics m, and back.
 glm::vec3 point_to_graphics(Vec3 p);
 Vec3 point_from_graphics(const glm::vec3& p);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "display/offscreen.h"
+#include "display/openxr.h"
 #include "display/window.h"
 
 #include <string_view>
@@ -18,6 +19,7 @@ std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOpti
   if (spec == "window")
     return std::make_unique<WindowDisplay>(
         WindowOptions{.title = o.title, .width = o.width, .height = o.height, .wait_for_screen = o.wait_for_screen});
+  if (spec == "openxr") return std::make_unique<OpenXrDisplay>();
   if (const auto folder = offscreen_folder(spec))
     return std::make_unique<OffscreenDisplay>(OffscreenOptions{.directory = *folder,
                                                                .width = o.width,
@@ -26,7 +28,7 @@ std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOpti
                                                                .png_every = o.png_every,
                                                                .film = o.film,
                                                                .views = o.views});
-  throw UsageError("there is no display \"" + spec + "\": use window or offscreen:DIR");
+  throw UsageError("there is no display \"" + spec + "\": use window, openxr or offscreen:DIR");
 }
 
 }  // namespace onestroke

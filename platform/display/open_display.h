@@ -24,7 +24,8 @@ struct DisplayOptions {
 /// The folder of "offscreen:DIR"; none of another display's words.
 std::optional<std::filesystem::path> offscreen_folder(const std::string& spec);
 
-/// Opens "window" or "offscreen:DIR". Throws UsageError for other words, and Error where the display cannot be had.
+/// Opens "window", "openxr" or "offscreen:DIR". Throws UsageError for other words, and Error where the display cannot
+/// be had.
 std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOptions& options);
 
 }  // namespace onestroke

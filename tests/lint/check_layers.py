@@ -38,6 +38,7 @@ ROOMS = {
     "Assimp": (re.compile(r"assimp/"), {"engine/scene"}),
     "meshoptimizer": (re.compile(r"meshoptimizer"), {"engine/scene"}),
     "GLFW": (re.compile(r"GLFW/"), {"platform/display"}),
+    "OpenXR": (re.compile(r"openxr/"), {"platform/display"}),
 }
 
 SOURCES = {".h", ".hpp", ".cpp", ".c", ".glsl", ".vert", ".frag", ".comp", ".py"}

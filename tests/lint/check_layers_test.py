@@ -52,6 +52,7 @@ class CheckLayers(unittest.TestCase):
         self.expect_fault("engine/tracking/a.cpp", "#include <glm/vec3.hpp>\n", "GLM does not belong")
         self.expect_fault("engine/scene/a.cpp", "#include <vulkan/vulkan.hpp>\n", "Vulkan does not belong")
         self.expect_fault("engine/render/a.cpp", "#include <GLFW/glfw3.h>\n", "GLFW does not belong")
+        self.expect_fault("app/a.cpp", "#include <openxr/openxr.h>\n", "OpenXR does not belong")
 
     def test_the_library_knows_the_tracker_and_nothing_above(self):
         sound = {"engine/library/a.cpp": '#include "tracking/tracker.h"\n#include "library/onestroke.h"\n'}

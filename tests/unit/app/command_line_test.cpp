@@ -144,6 +144,7 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "run --camera synthetic:",
                          "run --display offscreen",
                          "run --display window:2",
+                         "run --display openxr:2",
                          "run --gpu",
                          "run --gpu=",
                          "run --mode slow",

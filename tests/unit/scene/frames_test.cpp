@@ -42,6 +42,14 @@ TEST(Frames, PosesComeBack) {
   EXPECT_NEAR(norm(back.translation - a.translation), 0, 1e-4);
 }
 
+TEST(Frames, ARotationAndATranslationAreTheMatrixThatTheyMake) {
+  const glm::mat4 m = to_graphics(a);
+  const Quat q = to_quat(Mat3{{{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}}});
+  const Pose back = from_graphics(q, {m[3][0], m[3][1], m[3][2]});
+  EXPECT_NEAR(angle_between(back.rotation, a.rotation), 0, 1e-6);
+  EXPECT_NEAR(norm(back.translation - a.translation), 0, 1e-4);
+}
+
 TEST(Frames, PointsComeBack) {
   const Vec3 p{12.5, -300, 700};
   EXPECT_NEAR(norm(point_from_graphics(point_to_graphics(p)) - p), 0, 1e-4);

@@ -1,0 +1,225 @@
+#include "display/openxr.h"
+
+#include "display/openxr_clock.h"
+#include "display/openxr_head.h"
+#include "display/openxr_session.h"
+#include "display/openxr_spaces.h"
+#include "display/openxr_swapchain.h"
+#include "display/openxr_vulkan.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <thread>
+
+namespace onestroke {
+
+namespace {
+
+// How often a headset that shows nothing is looked at again.
+constexpr std::chrono::milliseconds pause(10);
+// How often a runtime that went away is looked for.
+constexpr Duration between_tries = Duration::from_seconds(1);
+
+/// All that is made anew with another Gpu.
+struct Seat {
+  std::shared_ptr<Device> device;
+  OpenXrSession session;
+  OpenXrSpaces spaces;
+  OpenXrHead head;
+  OpenXrSwapchain swapchain;
+
+  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
+      : device(std::move(gpu)),
+        session(instance, *device),
+        spaces(session.handle()),
+        head(session.handle()),
+        swapchain(*device, session.handle(), session.view_size()) {}
+  Seat(const Seat&) = delete;
+  ~Seat() { device->wait_idle(); }
+};
+
+}  // namespace
+
+struct OpenXrDisplay::Impl {
+  // None while the runtime is away.
+  std::optional<OpenXrInstance> instance;
+  std::optional<OpenXrClock> clock;
+  OpenXrVulkan vulkan;
+  std::string runtime, headset;
+  // None before attach(), and from a loss to the next attach().
+  std::optional<Seat> seat;
+  OpenXrSession::Count count;
+  Time last = Time::now(), next_try;
+  std::string failure;
+  bool closed = false, lost = false;
+
+  Impl() { connect(); }
+
+  void connect() {
+    instance.emplace();
+    clock.emplace(*instance);
+    vulkan.use(*instance);
+    runtime = instance->runtime_name();
+    headset = instance->headset_name();
+  }
+
+  /// What to draw and for when. Leaves `should_render` false where there is nobody to see it.
+  void begin(FrameInfo& frame) {
+    if (!seat || !seat->session.running()) {
+      std::this_thread::sleep_for(pause);
+      last = std::max(last, Time::now());
+      if (!instance) try_again();
+      return;
+    }
+    const XrFrameState state = seat->session.begin_frame();
+    if (seat->session.take_recentred()) seat->head.forget();
+    const Time now = Time::now();
+    seat->head.sample(seat->spaces.world(), clock->to_runtime(now), now);
+    // A runtime's first guess may lie before what was said last.
+    last = std::max(last, clock->to_ours(state.predictedDisplayTime));
+    if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
+    frame.target = seat->swapchain.acquire();
+    if (!frame.target) return;
+    for (std::size_t i = 0; i < max_views; ++i) {
+      frame.views.at(i) = seat->spaces.view(i);
+      frame.views.at(i).viewport = {0, 0, frame.target->width, frame.target->height};
+    }
+    frame.should_render = true;
+  }
+
+  void end(const FrameInfo& frame) {
+    if (!seat || !seat->session.frame_begun()) return;
+    if (frame.should_render)
+      show();
+    else
+      seat->session.end_frame(nullptr);
+  }
+
+  void show() {
+    seat->swapchain.release();
+    std::array<XrCompositionLayerProjectionView, max_views> views;
+    for (std::uint32_t i = 0; i < max_views; ++i) {
+      views.at(i) = typed<XrCompositionLayerProjectionView>(XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
+      views.at(i).pose = seat->spaces.eye(i).pose;
+      views.at(i).fov = seat->spaces.eye(i).fov;
+      views.at(i).subImage = seat->swapchain.part_for(i);
+    }
+    auto layer = typed<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
+    layer.space = seat->spaces.world();
+    layer.viewCount = max_views;
+    layer.views = views.data();
+    seat->session.end_frame(&layer);
+  }
+
+  /// Runs what may throw in the loop. A runtime that goes is waited for; any other error ends the show.
+  template <typename Work>
+  void guard(Work&& work) noexcept {
+    if (closed) return;
+    try {
+      work();
+      if (seat && seat->session.loss_pending()) wait_for_runtime();
+    } catch (const OpenXrError& error) {
+      if (error.lost())
+        wait_for_runtime();
+      else
+        fail(error);
+    } catch (const std::exception& error) {
+      fail(error);
+    }
+  }
+
+  void fail(const std::exception& error) {
+    failure = "the headset cannot go on: restart the OpenXR runtime " + runtime + " (" + error.what() + ")";
+    closed = true;
+  }
+
+  void wait_for_runtime() {
+    std::fprintf(stderr, "onestroke: the OpenXR runtime %s went away; the show goes on when it is back\n",
+                 runtime.c_str());
+    let_go();
+    clock.reset();
+    instance.reset();
+    lost = true;
+    next_try = Time::now() + between_tries;
+  }
+
+  void try_again() {
+    if (Time::now() < next_try) return;
+    next_try = Time::now() + between_tries;
+    try {
+      connect();
+    } catch (const Error&) {
+      clock.reset();
+      instance.reset();
+    }
+  }
+
+  void let_go() {
+    if (seat) count += seat->session.count();
+    seat.reset();
+  }
+};
+
+OpenXrDisplay::OpenXrDisplay() : impl_(std::make_unique<Impl>()) {}
+OpenXrDisplay::~OpenXrDisplay() = default;
+
+GpuNeeds OpenXrDisplay::needs() const {
+  return {.hooks = &impl_->vulkan};
+}
+
+void OpenXrDisplay::attach(Gpu& gpu) {
+  impl_->let_go();
+  impl_->seat.emplace(impl_->instance.value(), gpu.device());
+  impl_->lost = false;
+}
+
+void OpenXrDisplay::begin(FrameInfo& frame) {
+  frame.should_render = false;
+  frame.target = nullptr;
+  frame.view_count = max_views;
+  impl_->guard([&] { impl_->begin(frame); });
+  frame.time = impl_->last;
+}
+
+void OpenXrDisplay::end(const FrameInfo& frame) {
+  impl_->guard([&] { impl_->end(frame); });
+}
+
+std::span<const Key> OpenXrDisplay::poll() {
+  impl_->guard([this] {
+    if (impl_->seat) impl_->seat->session.take_events();
+  });
+  return {};
+}
+
+bool OpenXrDisplay::closed() const {
+  return impl_->closed || (impl_->seat && impl_->seat->session.over());
+}
+
+std::optional<Pose> OpenXrDisplay::head_at(Time time) const {
+  if (!impl_->seat) return std::nullopt;
+  const PoseHistory::Answer answer = impl_->seat->head.history().get(time);
+  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(answer.pose);
+}
+
+bool OpenXrDisplay::gpu_lost() const {
+  return impl_->lost && impl_->instance && !impl_->closed;
+}
+
+void OpenXrDisplay::finish() {
+  impl_->guard([this] {
+    if (impl_->seat) impl_->seat->session.leave();
+  });
+  impl_->let_go();
+  impl_->closed = true;
+  if (!impl_->failure.empty()) throw Error(impl_->failure);
+}
+
+std::vector<std::string> OpenXrDisplay::report() const {
+  const OpenXrSession::Count& count = impl_->count;
+  return {"showed " + std::to_string(count.seen) + " of " + std::to_string(count.frames) + " frames in the headset " +
+          impl_->headset + " of " + impl_->runtime + ", " + std::to_string(count.missed) + " missed"};
+}
+
+}  // namespace onestroke

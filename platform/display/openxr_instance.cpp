@@ -1,0 +1,87 @@
+#include "display/openxr_instance.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <vector>
+
+namespace onestroke {
+
+namespace {
+
+constexpr std::array needed{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
+
+std::vector<std::string> offered_extensions() {
+  std::uint32_t count = 0;
+  const XrResult result = xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr);
+  if (XR_FAILED(result))
+    throw OpenXrError(result,
+                      "there is no OpenXR runtime: install Monado or SteamVR and make it the active one, or name its "
+                      "manifest in XR_RUNTIME_JSON; or use --display window");
+  std::vector<XrExtensionProperties> properties(count, typed<XrExtensionProperties>(XR_TYPE_EXTENSION_PROPERTIES));
+  check(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()),
+        "the OpenXR runtime does not say what it can do: update it");
+  std::vector<std::string> names;
+  for (const auto& p : properties) names.emplace_back(p.extensionName);
+  return names;
+}
+
+void check_extensions() {
+  const std::vector<std::string> offered = offered_extensions();
+  for (const char* name : needed)
+    if (std::find(offered.begin(), offered.end(), name) == offered.end())
+      throw Error(std::string("the OpenXR runtime lacks ") + name + ": update it, or make another one active");
+}
+
+XrInstance create_instance() {
+  check_extensions();
+  auto info = typed<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
+  std::strcpy(info.applicationInfo.applicationName, "onestroke");
+  info.applicationInfo.applicationVersion = 1;
+  // Loaders of 1.0 refuse any later version, and later ones know 1.0.
+  info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
+  info.enabledExtensionCount = static_cast<std::uint32_t>(needed.size());
+  info.enabledExtensionNames = needed.data();
+  XrInstance instance = XR_NULL_HANDLE;
+  check(xrCreateInstance(&info, &instance),
+        "the OpenXR runtime does not answer: start its service (monado-service, or SteamVR), then try again");
+  return instance;
+}
+
+std::string name_of_runtime(XrInstance instance) {
+  auto properties = typed<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
+  check(xrGetInstanceProperties(instance, &properties), "the OpenXR runtime does not say its name: update it");
+  return properties.runtimeName;
+}
+
+XrSystemId find_headset(XrInstance instance, const std::string& runtime) {
+  auto info = typed<XrSystemGetInfo>(XR_TYPE_SYSTEM_GET_INFO);
+  info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
+  XrSystemId system = XR_NULL_SYSTEM_ID;
+  const XrResult result = xrGetSystem(instance, &info, &system);
+  if (XR_FAILED(result))
+    throw OpenXrError(result, "the OpenXR runtime " + runtime +
+                                  " finds no headset: plug it in, switch it on and start its service again");
+  return system;
+}
+
+}  // namespace
+
+OpenXrInstance::OpenXrInstance()
+    : instance_(create_instance()),
+      runtime_name_(name_of_runtime(*instance_)),
+      headset_(find_headset(*instance_, runtime_name_)) {}
+
+std::string OpenXrInstance::headset_name() const {
+  auto properties = typed<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
+  check(xrGetSystemProperties(*instance_, headset_, &properties), "the headset does not say its name");
+  return properties.systemName;
+}
+
+bool OpenXrInstance::next_event(XrEventDataBuffer& event) const {
+  event.type = XR_TYPE_EVENT_DATA_BUFFER;
+  event.next = nullptr;
+  return check(xrPollEvent(*instance_, &event), "the OpenXR runtime tells nothing any more") == XR_SUCCESS;
+}
+
+}  // namespace onestroke

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "display/openxr_api.h"
+
+#include <string>
+
+namespace onestroke {
+
+/// The program's connection to the OpenXR runtime, and the headset that it has.
+class OpenXrInstance {
+ public:
+  /// Throws Error where there is no runtime, no headset, or a runtime that cannot do what is needed.
+  OpenXrInstance();
+
+  XrInstance handle() const { return *instance_; }
+  XrSystemId headset() const { return headset_; }
+  /// "Monado(XRT) by Collabora et al '25.0.0' 25.0.0".
+  const std::string& runtime_name() const { return runtime_name_; }
+  std::string headset_name() const;
+
+  /// The runtime's next word, false where it has none. Throws OpenXrError.
+  bool next_event(XrEventDataBuffer& event) const;
+
+  /// A function of an extension. Throws OpenXrError where the runtime lacks it.
+  template <typename Function>
+  Function function(const char* name) const {
+    PFN_xrVoidFunction found = nullptr;
+    check(xrGetInstanceProcAddr(*instance_, name, &found), name);
+    return reinterpret_cast<Function>(found);
+  }
+
+ private:
+  OpenXrOwned<XrInstance, xrDestroyInstance> instance_;
+  std::string runtime_name_;
+  XrSystemId headset_;
+};
+
+}  // namespace onestroke

@@ -1,0 +1,76 @@
+#include "display/openxr_spaces.h"
+
+#include "scene/frames.h"
+
+#include <cmath>
+
+namespace onestroke {
+
+namespace {
+
+Quat quat_of(const XrQuaternionf& q) {
+  return {q.w, q.x, q.y, q.z};
+}
+Vec3 vector_of(const XrVector3f& v) {
+  return {v.x, v.y, v.z};
+}
+XrVector3f xr_vector(Vec3 v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+}  // namespace
+
+XrSpace make_space(XrSession session, XrReferenceSpaceType kind) {
+  auto info = typed<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
+  info.referenceSpaceType = kind;
+  info.poseInReferenceSpace.orientation.w = 1;
+  XrSpace space = XR_NULL_HANDLE;
+  check(xrCreateReferenceSpace(session, &info, &space), "the OpenXR runtime does not follow the head: restart it");
+  return space;
+}
+
+Pose pose_of(const XrPosef& pose) {
+  return from_graphics(quat_of(pose.orientation), vector_of(pose.position));
+}
+
+OpenXrSpaces::OpenXrSpaces(XrSession session)
+    : session_(session), world_(make_space(session, XR_REFERENCE_SPACE_TYPE_LOCAL)) {
+  eyes_.fill(typed<XrView>(XR_TYPE_VIEW));
+}
+
+bool OpenXrSpaces::locate(XrTime time) {
+  auto info = typed<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
+  info.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+  info.displayTime = time;
+  info.space = *world_;
+  auto state = typed<XrViewState>(XR_TYPE_VIEW_STATE);
+  std::uint32_t count = 0;
+  check(xrLocateViews(session_, &info, &state, static_cast<std::uint32_t>(eyes_.size()), &count, eyes_.data()),
+        "the OpenXR runtime does not say where the eyes are");
+  if (!(state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT)) return false;
+  if (!(state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT)) {
+    const Vec3 aside = rotate(quat_of(eyes_[1].pose.orientation), right_eye_m_);
+    eyes_[0].pose.position = xr_vector(head_m_ - aside);
+    eyes_[1].pose.position = xr_vector(head_m_ + aside);
+  } else {
+    keep_place();
+  }
+  return true;
+}
+
+void OpenXrSpaces::keep_place() {
+  const Vec3 left = vector_of(eyes_[0].pose.position), right = vector_of(eyes_[1].pose.position);
+  head_m_ = (left + right) / 2;
+  right_eye_m_ = rotate(quat_of(eyes_[1].pose.orientation).conjugate(), (right - left) / 2);
+}
+
+View OpenXrSpaces::view(std::size_t i) const {
+  const XrView& eye = eyes_.at(i);
+  return {.T_world_view = pose_of(eye.pose),
+          .fov = {.left = std::tan(double{eye.fov.angleLeft}),
+                  .right = std::tan(double{eye.fov.angleRight}),
+                  .up = std::tan(double{eye.fov.angleUp}),
+                  .down = std::tan(double{eye.fov.angleDown})}};
+}
+
+}  // namespace onestroke
