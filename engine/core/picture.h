@@ -87,6 +87,9 @@ class PictureHandle {
     Loan* loan = std::exchange(loan_, nullptr);
     if (loan && loan->holders.fetch_sub(1, std::memory_order_acq_rel) == 1) loan->lender->give_back(*loan);
   }
+  /// Says where the picture was taken. For whoever took it from the camera, before anyone shares it.
+  void set_T_world_camera(const Pose& pose) { loan_->picture.T_world_camera = pose; }
+
   explicit operator bool() const { return loan_ != nullptr; }
   const Picture& operator*() const { return loan_->picture; }
   const Picture* operator->() const { return &loan_->picture; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/head_tracker.h"
 #include "core/time.h"
 #include "render/gpu.h"
 #include "render/view.h"
@@ -44,15 +45,14 @@ struct FrameInfo {
   std::span<const View> seen() const { return {views.data(), static_cast<std::size_t>(view_count)}; }
 };
 
-/// Something to look at: a window, a headset, a folder of pictures. One thread, the one that renders.
+/// Something to look at: a window, a headset, a folder of pictures. One thread, the one that renders, but for
+/// head_at().
 ///
 ///   Gpu gpu({display->needs(), ...});  display->attach(gpu);
 ///   while (!display->closed()) { display->begin(frame); if (frame.should_render) renderer.draw(...);
 ///   display->end(frame); } display->finish();
-class Display {
+class Display : public HeadTracker {
  public:
-  virtual ~Display() = default;
-
   virtual GpuNeeds needs() const = 0;
   /// Makes surface and images, before the first begin(). Called again, with another Gpu and after everything else that
   /// was made from the first is gone, where that was lost: the show goes on, its clock and its files with it. Throws
@@ -72,9 +72,7 @@ class Display {
   virtual bool gpu_lost() const { return false; }
   /// True where views follow the wearer's head and must not be moved.
   virtual bool tracks_head() const = 0;
-  /// T_world_head, the head's axes being those of a view straight ahead, at a time of late or soon; none where it is
-  /// not known, or no head is tracked.
-  virtual std::optional<Pose> head_at(Time) const { return std::nullopt; }
+  std::optional<Pose> head_at(Time) const override { return std::nullopt; }
 
   /// Ends the show: waits, and finishes files. Throws Error with what went wrong since attach(). Harmless when called
   /// twice.

@@ -26,14 +26,12 @@ struct Seat {
   std::shared_ptr<Device> device;
   OpenXrSession session;
   OpenXrSpaces spaces;
-  OpenXrHead head;
   OpenXrSwapchain swapchain;
 
   Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
       : device(std::move(gpu)),
         session(instance, *device),
         spaces(session.handle()),
-        head(session.handle()),
         swapchain(*device, session.handle(), session.view_size()) {}
   Seat(const Seat&) = delete;
   ~Seat() { device->wait_idle(); }
@@ -49,6 +47,7 @@ struct OpenXrDisplay::Impl {
   std::string runtime, headset;
   // None before attach(), and from a loss to the next attach().
   std::optional<Seat> seat;
+  OpenXrHead head;
   OpenXrSession::Count count;
   Time last = Time::now(), next_try;
   std::string failure;
@@ -73,9 +72,8 @@ struct OpenXrDisplay::Impl {
       return;
     }
     const XrFrameState state = seat->session.begin_frame();
-    if (seat->session.take_recentred()) seat->head.forget();
-    const Time now = Time::now();
-    seat->head.sample(seat->spaces.world(), clock->to_runtime(now), now);
+    if (seat->session.take_recentred()) head.forget();
+    head.sample(Time::now());
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
     if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
@@ -156,6 +154,7 @@ struct OpenXrDisplay::Impl {
   }
 
   void let_go() {
+    head.detach();
     if (seat) count += seat->session.count();
     seat.reset();
   }
@@ -171,6 +170,7 @@ GpuNeeds OpenXrDisplay::needs() const {
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
   impl_->seat.emplace(impl_->instance.value(), gpu.device());
+  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.world());
   impl_->lost = false;
 }
 
@@ -198,9 +198,7 @@ bool OpenXrDisplay::closed() const {
 }
 
 std::optional<Pose> OpenXrDisplay::head_at(Time time) const {
-  if (!impl_->seat) return std::nullopt;
-  const PoseHistory::Answer answer = impl_->seat->head.history().get(time);
-  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(answer.pose);
+  return impl_->head.at(time);
 }
 
 bool OpenXrDisplay::gpu_lost() const {
