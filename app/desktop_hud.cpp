@@ -105,11 +105,12 @@ HudWords fullest() {
     m.T_camera_marker.translation.z = 99999;
   }
   HudWords words(true);
-  words.update(record, {.tracker_ms = 99999,
-                        .pictures_a_second = 99999,
-                        .frames_a_second = 99999,
-                        .age = Duration::from_seconds(999),
-                        .left_out = 999'999'999'999});
+  words.update(record,
+               {.tracker_ms = 99999,
+                .pictures_a_second = 99999,
+                .frames_a_second = 99999,
+                .latency = Latency{Duration::from_seconds(99), Duration::from_seconds(99), Duration::from_seconds(99)},
+                .left_out = 999'999'999'999});
   return words;
 }
 

@@ -8,7 +8,7 @@ namespace onestroke {
 namespace {
 
 constexpr int steps = 32;
-constexpr double top = 0.3, bottom = 0.7;  // of the view's height
+constexpr double top = 0.3, bottom = 0.7;  // of the area's height
 constexpr Color frame_color{0.01F, 0.012F, 0.016F, 1};
 
 double percent_of(double change, double whole) {
@@ -17,11 +17,11 @@ double percent_of(double change, double whole) {
 
 }  // namespace
 
-void DifferenceLegend::draw(SceneBuilder& scene, const View& view, const DifferenceStatistics& statistics,
+void DifferenceLegend::draw(SceneBuilder& scene, const HudArea& area, double em, const DifferenceStatistics& statistics,
                             double opacity) {
   if (opacity <= 0) return;
-  const double em = text_em(view), width = 1.1 * em, x = view.viewport.width - 0.8 * em - width;
-  const double high = top * view.viewport.height, low = bottom * view.viewport.height, step = (low - high) / steps;
+  const double width = 1.1 * em, x = area.width - 0.8 * em - width;
+  const double high = top * area.height, low = bottom * area.height, step = (low - high) / steps;
   const double line = std::max(1.0, std::round(0.1 * em));
   scene.boxes.push_back({x - line, high - line, width + 2 * line, low - high + 2 * line, faded(frame_color, opacity)});
   const ColorScale colors(statistics.reach);

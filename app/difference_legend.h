@@ -13,7 +13,8 @@ namespace onestroke {
 /// words; one thread, allocates nothing.
 class DifferenceLegend {
  public:
-  void draw(SceneBuilder& scene, const View& view, const DifferenceStatistics& statistics, double opacity);
+  void draw(SceneBuilder& scene, const HudArea& area, double em, const DifferenceStatistics& statistics,
+            double opacity);
 
  private:
   std::array<Text, 3> ticks_;

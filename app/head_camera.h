@@ -10,8 +10,8 @@ namespace onestroke {
 class HeadCamera final : public Camera {
  public:
   /// Camera and head outlive this.
-  HeadCamera(Camera& camera, const HeadTracker& head, const Pose& T_head_camera)
-      : camera_(camera), head_(head), T_head_camera_(T_head_camera), T_world_camera_(T_head_camera) {}
+  HeadCamera(Camera& camera, const HeadMount& mount)
+      : camera_(camera), mount_(mount), T_world_camera_(mount.T_head_camera) {}
 
   Status next(PictureHandle& picture) override;
   std::string message() const override { return camera_.message(); }
@@ -23,8 +23,7 @@ class HeadCamera final : public Camera {
 
  private:
   Camera& camera_;
-  const HeadTracker& head_;
-  const Pose T_head_camera_;
+  const HeadMount mount_;
   Pose T_world_camera_;
 };
 

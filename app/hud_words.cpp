@@ -40,11 +40,13 @@ void HudWords::update(const FrameRecord& record, const FrameFigures& figures) {
   if (rates_)
     figures_[figure_count_++].print("%.0f pictures/s · %.0f frames/s · %llu left out", figures.pictures_a_second,
                                     figures.frames_a_second, static_cast<unsigned long long>(figures.left_out));
-  Text& times = figures_[figure_count_++];
-  if (rates_ && figures.age)
-    times.print("Camera to display %.0f ms · tracker %.1f ms", figures.age->ms(), figures.tracker_ms);
-  else
-    times.print("Tracker %.1f ms a picture", figures.tracker_ms);
+  figures_[figure_count_++].print("Tracker %.1f ms a picture", figures.tracker_ms);
+  if (rates_ && figures.latency)
+    figures_[figure_count_++].print("After exposure: tracked %.0f, drawn %.0f, seen %.0f ms",
+                                    figures.latency->tracked.ms(), figures.latency->drawn.ms(),
+                                    figures.latency->seen.ms());
+  const auto line = [&](std::size_t i) { return i < figure_count_ ? figures_[i].view().data() : ""; };
+  status_.print("%s%s%s%s%s", line(0), figure_count_ > 1 ? "\n" : "", line(1), figure_count_ > 2 ? "\n" : "", line(2));
 }
 
 }  // namespace onestroke

@@ -8,7 +8,7 @@
 
 namespace onestroke {
 
-/// What the desktop's figures say, word for word; how that is drawn is DesktopHud's. Allocates nothing.
+/// What the figures of a show say, word for word; how a panel of them is drawn is DesktopHud's. Allocates nothing.
 class HudWords {
  public:
   /// One marker of the picture shown.
@@ -28,11 +28,14 @@ class HudWords {
   std::span<const Marker> markers() const { return {markers_.data(), marker_count_}; }
   /// Lines, in the order in which they are read.
   std::span<const Text> figures() const { return {figures_.data(), figure_count_}; }
+  /// The same as one text, for where there is no room for a panel.
+  std::string_view status() const { return status_.view(); }
 
  private:
   const bool rates_;
   std::array<Marker, max_markers_per_frame> markers_;
-  std::array<Text, 2> figures_;
+  std::array<Text, 3> figures_;
+  Text status_;
   std::size_t marker_count_ = 0, figure_count_ = 0;
 };
 

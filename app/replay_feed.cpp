@@ -27,6 +27,12 @@ ReplayFeed::Next ReplayFeed::advance(Time, bool (*stop)()) {
   return picture_ ? Next::picture : Next::same;
 }
 
+std::optional<Pose> ReplayFeed::head_at(Time) const {
+  const std::optional<Pose>& T_head_camera = session_.header().T_head_camera;
+  if (!T_head_camera || !frame_) return std::nullopt;
+  return frame_->record.T_world_camera * inverse(*T_head_camera);
+}
+
 const SessionFrame* ReplayFeed::next_frame() {
   try {
     return session_.next();
@@ -52,6 +58,7 @@ PictureHandle ReplayFeed::find_picture(bool (*stop)()) {
     if (status == Camera::Status::busy) std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   const bool found = ahead_ && ahead_->sequence == wanted;
+  if (found && session_.header().T_head_camera) ahead_.set_T_world_camera(frame_->record.T_world_camera);
   return found ? std::move(ahead_) : PictureHandle();
 }
 

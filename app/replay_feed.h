@@ -3,6 +3,7 @@
 #include "app/feed.h"
 #include "app/session_reader.h"
 #include "core/camera.h"
+#include "core/head_tracker.h"
 #include "core/picture_pool.h"
 
 #include <map>
@@ -12,10 +13,16 @@ namespace onestroke {
 
 /// A session shown again from its log, a frame of the log a frame. The records are the log's, and the pictures those of
 /// the camera that have the records' numbers; dark ones of the same size and lens stand for those that it cannot give.
-class ReplayFeed final : public Feed {
+class ReplayFeed final : public Feed, public HeadTracker {
  public:
-  /// Both outlive the feed, and are its own until it goes. No camera: all pictures are dark.
-  ReplayFeed(SessionReader& session, Camera* camera) : session_(session), camera_(camera) {}
+  /// The session outlives the feed.
+  explicit ReplayFeed(SessionReader& session) : session_(session) {}
+  /// Where pictures come from; null, as at first, for dark ones alone. Outlives the feed, and is its own until it goes.
+  void use(Camera* camera) { camera_ = camera; }
+
+  /// Where the head was in the log's frame of now, whatever the time: for a camera that draws its pictures again. None
+  /// where the session tracked no head. The feed's own thread.
+  std::optional<Pose> head_at(Time) const override;
 
   Next advance(Time display_time, bool (*stop)()) override;
   PictureHandle take_picture() override { return std::move(picture_); }
@@ -35,7 +42,7 @@ class ReplayFeed final : public Feed {
   void take_keys();
 
   SessionReader& session_;
-  Camera* camera_;
+  Camera* camera_ = nullptr;
   const SessionFrame* frame_ = nullptr;  // the reader's
   const FrameRecord none_{};
   std::map<std::pair<int, int>, PicturePool> dark_;  // By width and height; outlives the handles below.

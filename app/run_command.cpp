@@ -2,6 +2,7 @@
 
 #include "app/cache_folder.h"
 #include "app/frame_feed.h"
+#include "app/head_camera.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/replay_feed.h"
@@ -124,8 +125,15 @@ Stage prepare(const RunOptions& options) {
   return {.catalog = load_catalog(options.catalog), .spec = spec, .offscreen = offscreen_folder(spec).has_value()};
 }
 
+/// A head that sees must be there before its camera; other displays come when pictures do.
+HeadMount find_head(Stage& stage, const RunOptions& options) {
+  if (stage.spec != "openxr") return {};
+  stage.display = open_display(stage.spec, display_options(options, stage.offscreen, screen_rate));
+  return {.head = stage.display.get(), .T_head_camera = {}};
+}
+
 void open(Stage& stage, const RunOptions& options, double rate) {
-  stage.display = open_display(stage.spec, display_options(options, stage.offscreen, rate));
+  if (!stage.display) stage.display = open_display(stage.spec, display_options(options, stage.offscreen, rate));
   stage.graphics = std::make_unique<Graphics>(
       *stage.display,
       Graphics::Wanted{
@@ -188,14 +196,20 @@ void finish(SessionLog& log, bool asked_for, std::ostream& out) {
 int run_live(RunOptions options, std::ostream& out) {
   Stage stage = prepare(options);
   options.source = source_for(options.source, stage.offscreen);
-  const std::unique_ptr<Camera> camera = open_source(options.source, stage.catalog);
+  const HeadMount mount = find_head(stage, options);
+  const std::unique_ptr<Camera> source = open_source(options.source, stage.catalog, mount);
+  // A recording was not taken by the head that watches it.
+  std::optional<HeadCamera> worn;
+  if (mount.head && source->live()) worn.emplace(*source, mount);
+  Camera* const camera = worn ? &*worn : source.get();
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
   open(stage, options, rate);
   const ShowLimits limits = limits_for(options, *camera, stage.offscreen);
 
   catch_interrupt();
-  const std::unique_ptr<SessionLog> log =
-      open_session_log(options, stage.spec, session_header(options, stage.offscreen ? rate : 0));
+  const std::unique_ptr<SessionLog> log = open_session_log(
+      options, stage.spec,
+      session_header(options, stage.offscreen ? rate : 0, worn ? std::optional(mount.T_head_camera) : std::nullopt));
   Tracker tracker(stage.catalog);
   const Feed::Pace pace = pace_for(*camera, stage.offscreen);
   TrackingThread tracking(*camera, tracker,
@@ -212,11 +226,14 @@ int run_again(const RunOptions& given, std::ostream& out) {
   SessionReader session(given.replay);
   const RunOptions options = replay_options(session.header(), given);
   Stage stage = prepare(options);
-  const std::unique_ptr<Camera> camera = open_replay_camera(given, options, stage.catalog);
+  ReplayFeed feed(session);
+  const HeadMount mount =
+      session.header().T_head_camera ? HeadMount{&feed, *session.header().T_head_camera} : HeadMount{};
+  const std::unique_ptr<Camera> camera = open_replay_camera(given, options, stage.catalog, mount);
+  feed.use(camera.get());
   open(stage, options, session.header().rate > 0 ? session.header().rate : screen_rate);
 
   catch_interrupt();
-  ReplayFeed feed(session, camera.get());
   play(stage, {feed, limits_for(options)}, options, out);
   flush(out);
   if (!feed.message().empty()) throw Error(feed.message());

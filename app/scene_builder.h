@@ -5,6 +5,9 @@
 #include "render/frame_scene.h"
 #include "render/view.h"
 
+#include <optional>
+#include <span>
+
 namespace onestroke {
 
 /// Collects what one frame shows. Holds a bounded number of each; allocates nothing. Texts live elsewhere, until the
@@ -32,6 +35,13 @@ Label label_on_top(std::string_view text, Vec3 position_world, double height_px,
 /// Font size of a view's texts, px: to be read at arm's length on a desk, and one degree of visual angle, whatever it
 /// is seen through.
 double text_em(const View& view);
+/// Where a frame's words and boxes go: a view's screen, or for eyes that wear the display a plate that both see whole.
+struct HudArea {
+  double width = 0, height = 0;  ///< Pixels of the first view.
+  std::optional<HudPlate> plate{};
+};
+HudArea hud_area(std::span<const View> views, bool worn);
+
 /// The length that a pixel of the view's middle has at that depth, mm.
 double pixel_at(const View& view, double depth);
 

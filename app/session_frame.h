@@ -2,6 +2,7 @@
 
 #include "core/frame_record.h"
 #include "core/inline_vector.h"
+#include "core/latency.h"
 #include "core/picture.h"
 #include "render/display.h"
 #include "scene/text.h"
@@ -21,6 +22,8 @@ struct SessionHeader {
   std::optional<double> readout_ms{};
   double rate = 0;  ///< Frames a second of the display's time; 0 for a screen's own.
   bool stereo = false, fingers = true, left_handed = false;
+  /// The camera's place on the wearer's head; none where no head was tracked.
+  std::optional<Pose> T_head_camera{};
 };
 
 /// A picture as far as it must be known to stand in for it.
@@ -37,6 +40,7 @@ struct SessionFrame {
   bool picture = false;  ///< The record's picture was new.
   FrameRecord record;
   PictureLens lens;
+  std::optional<Latency> latency;     ///< Where the picture's time is the clock's.
   InlineVector<Key, most_keys> keys;  ///< Pressed before the frame.
   /// What happened in it, in words; they tell a reader of the log where to look, and change nothing.
   InlineVector<Text, most_events> events;

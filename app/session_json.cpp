@@ -222,6 +222,7 @@ std::string session_line(const SessionHeader& header) {
   line["stereo"] = header.stereo;
   line["fingers"] = header.fingers;
   line["left_handed"] = header.left_handed;
+  if (header.T_head_camera) line["T_head_camera"] = pose_value(*header.T_head_camera);
   return dump(line);
 }
 
@@ -236,6 +237,10 @@ std::string session_text(const PictureLens& lens) {
 std::string session_line(const SessionFrame& frame, const std::string& record, const std::string& lens) {
   Json line{{"now_ns", frame.now.ns}};
   if (frame.picture) line["picture"] = true;
+  if (frame.latency)
+    line["latency_ms"] = {{"tracked", frame.latency->tracked.ms()},
+                          {"drawn", frame.latency->drawn.ms()},
+                          {"seen", frame.latency->seen.ms()}};
   if (!frame.keys.empty()) line["keys"] = keys_value(frame);
   for (const Text& word : frame.events) line["events"].push_back(word.view());
   std::string text = dump(line);
@@ -267,6 +272,7 @@ SessionHeader header_of_line(const std::string& text) {
     line.at("stereo").get_to(header.stereo);
     line.at("fingers").get_to(header.fingers);
     line.at("left_handed").get_to(header.left_handed);
+    if (const auto mount = line.find("T_head_camera"); mount != line.end()) header.T_head_camera = pose_of(*mount);
     return header;
   });
 }

@@ -38,6 +38,7 @@ void SessionLog::add(const FrameRecord& record, Time now, bool picture, const Pi
     slot.picture = picture;
     copy_record(record, slot.record);
     slot.lens = lens;
+    slot.latency = latency_;
     slot.keys = keys_;
     slot.events = events_;
     slot.missed = missed_;

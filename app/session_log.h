@@ -26,6 +26,7 @@ class SessionLog {
   /// Render loop: what belongs to the next frame. What is more than a frame has room for is left out.
   void press(Key key) noexcept { keys_.push_back(key); }
   void happened(std::string_view word) noexcept { events_.push_back(Text(word)); }
+  void took(const std::optional<Latency>& latency) noexcept { latency_ = latency; }
   /// Render loop: one frame. Where the writer is too far behind the frame is left out and counted, and its keys and
   /// events go with the next.
   void add(const FrameRecord& record, Time now, bool picture, const PictureLens& lens) noexcept;
@@ -50,6 +51,7 @@ class SessionLog {
   // The render loop's.
   InlineVector<Key, SessionFrame::most_keys> keys_;
   InlineVector<Text, SessionFrame::most_events> events_;
+  std::optional<Latency> latency_;
   std::uint64_t missed_ = 0;
   // The writer's.
   std::string record_, lens_;  // as they stand in the log

@@ -49,7 +49,7 @@ std::unique_ptr<SessionLog> open_usual_log(const SessionHeader& header) {
 
 }  // namespace
 
-SessionHeader session_header(const RunOptions& options, double rate) {
+SessionHeader session_header(const RunOptions& options, double rate, const std::optional<Pose>& T_head_camera) {
   const SourceOptions& source = options.source;
   return {.program = ONESTROKE_VERSION,
           .camera = whole_camera(source.camera),
@@ -60,7 +60,8 @@ SessionHeader session_header(const RunOptions& options, double rate) {
           .rate = rate,
           .stereo = options.stereo,
           .fingers = options.fingers,
-          .left_handed = options.left_handed};
+          .left_handed = options.left_handed,
+          .T_head_camera = T_head_camera};
 }
 
 RunOptions replay_options(const SessionHeader& header, const RunOptions& given) {
@@ -85,9 +86,10 @@ std::unique_ptr<SessionLog> open_session_log(const RunOptions& options, const st
   return std::make_unique<SessionLog>(*folder / "session.jsonl", header);
 }
 
-std::unique_ptr<Camera> open_replay_camera(const RunOptions& given, const RunOptions& options, const Catalog& catalog) {
+std::unique_ptr<Camera> open_replay_camera(const RunOptions& given, const RunOptions& options, const Catalog& catalog,
+                                           const HeadMount& mount) {
   try {
-    return open_source(options.source, catalog);
+    return open_source(options.source, catalog, mount);
   } catch (const Error& error) {
     if (!given.source.camera.empty()) throw;
     say(std::string(error.what()) + "; dark pictures stand for the session's own, unless --camera names others");

@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "app/session_log.h"
 #include "core/camera.h"
+#include "core/head_tracker.h"
 #include "marker/catalog.h"
 
 #include <memory>
@@ -10,8 +11,8 @@
 namespace onestroke {
 
 /// What a session's log says of how it was started. `options` with the camera and the catalogue that were opened;
-/// rate: the display's, 0 for a screen.
-SessionHeader session_header(const RunOptions& options, double rate);
+/// rate: the display's, 0 for a screen. T_head_camera: where a head is tracked.
+SessionHeader session_header(const RunOptions& options, double rate, const std::optional<Pose>& T_head_camera);
 /// The way back: options as given for a replay, with what the log fixes.
 RunOptions replay_options(const SessionHeader& header, const RunOptions& given);
 
@@ -21,8 +22,9 @@ RunOptions replay_options(const SessionHeader& header, const RunOptions& given);
 std::unique_ptr<SessionLog> open_session_log(const RunOptions& options, const std::string& display,
                                              const SessionHeader& header);
 
-/// The camera of a replay. Where the log's own cannot be opened any more that is said on standard error, and nullptr
-/// returned; one that was given instead throws Error.
-std::unique_ptr<Camera> open_replay_camera(const RunOptions& given, const RunOptions& options, const Catalog& catalog);
+/// The camera of a replay; `mount` is whose head a synthetic one sees from. Where the log's own cannot be opened any
+/// more that is said on standard error, and nullptr returned; one that was given instead throws Error.
+std::unique_ptr<Camera> open_replay_camera(const RunOptions& given, const RunOptions& options, const Catalog& catalog,
+                                           const HeadMount& mount);
 
 }  // namespace onestroke

@@ -21,10 +21,9 @@ Show::Show(const Parts& parts, const ShowOptions& options)
       fingers_(options.fingers),
       films_(parts.feed.pace() == Feed::Pace::each),
       hands_(parts.graphics.shelf(), &parts.graphics.differences(),
-             {.left_handed = options.left_handed, .wait_for_differences = films_}),
+             {.left_handed = options.left_handed, .worn = parts.display.tracks_head(), .wait_for_differences = films_}),
       covered_(parts.graphics.shelf()),
       hud_words_(!films_),
-      status_(!films_),
       snapshots_(options.snapshots) {}
 
 void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pictures)>& say) {
@@ -104,6 +103,7 @@ void Show::take_picture() {
 void Show::write_down(bool new_picture) {
   if (!parts_.log) return;
   for (const std::string_view word : hands_.comparison().happened()) parts_.log->happened(word);
+  parts_.log->took(latency_);
   parts_.log->add(parts_.feed.record(), parts_.feed.now(), new_picture, lens_);
 }
 
@@ -118,35 +118,40 @@ void Show::stand_at_camera(FrameInfo& frame) const {
   }
 }
 
-void Show::measure(const FrameInfo& frame, bool new_picture) {
-  const FrameRecord& record = parts_.feed.record();
-  std::optional<Duration> age;
-  // A device's pictures come with the time on the display's clock.
-  if (parts_.feed.pace() == Feed::Pace::newest && record.time.ns != 0) age = frame.time - record.time;
-  meter_.update({.record = record,
+void Show::measure(bool new_picture) {
+  meter_.update({.record = parts_.feed.record(),
                  .new_picture = new_picture,
                  .left_out = parts_.feed.left_out(),
-                 .age = age,
+                 .latency = latency_,
                  .now = Time::now()});
+}
+
+/// Of a frame that was handed to the GPU just now.
+std::optional<Latency> Show::latency_of(const FrameInfo& frame) const {
+  const FrameRecord& record = parts_.feed.record();
+  // A device's pictures come with the time on the display's clock.
+  if (parts_.feed.pace() != Feed::Pace::newest || record.time.ns == 0) return std::nullopt;
+  return Latency{
+      .tracked = record.tracked - record.time, .drawn = Time::now() - record.time, .seen = frame.time - record.time};
 }
 
 bool Show::draw(FrameInfo& frame, bool new_picture) {
   stand_at_camera(frame);
   parts_.graphics.shelf().update();
-  measure(frame, new_picture);
+  measure(new_picture);
   const FrameRecord& record = parts_.feed.record();
   // A panel on a desk; before the eyes a line is enough.
   const bool desktop = frame.view_count == 1 && !parts_.display.tracks_head();
-  const std::string_view status = desktop ? std::string_view() : status_.update(meter_.figures());
+  hud_words_.update(record, meter_.figures());
+  const std::string_view status = desktop ? std::string_view() : hud_words_.status();
   hands_.say(notice());
   FrameScene scene = hands_.update(record, parts_.feed.now(), frame.seen(), status);
   scene.fingers = fingers_;
   if (hands_.comparison().snapshot) take_snapshot(scene, frame.views[0]);
-  if (desktop && hands_.words()) {
-    hud_words_.update(record, meter_.figures());
-    scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
-  }
-  return parts_.graphics.renderer().draw(scene, frame);
+  if (desktop && hands_.words()) scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
+  const bool drawn = parts_.graphics.renderer().draw(scene, frame, parts_.display);
+  latency_ = latency_of(frame);
+  return drawn;
 }
 
 // A frame that is late for once: the picture is drawn anew, in the size in which it is seen.

@@ -7,7 +7,6 @@
 #include "app/graphics.h"
 #include "app/session_log.h"
 #include "app/snapshots.h"
-#include "app/status_line.h"
 #include "app/two_hands.h"
 #include "render/display.h"
 
@@ -65,7 +64,8 @@ class Show {
   void take_snapshot(const FrameScene& scene, const View& view);
   std::string_view notice() const;
   void stand_at_camera(FrameInfo& frame) const;
-  void measure(const FrameInfo& frame, bool new_picture);
+  void measure(bool new_picture);
+  std::optional<Latency> latency_of(const FrameInfo& frame) const;
 
   Parts parts_;
   const bool fingers_;
@@ -75,11 +75,11 @@ class Show {
   FrameMeter meter_;
   HudWords hud_words_;
   DesktopHud hud_;
-  StatusLine status_;
   PictureHandle picture_;  // the one that is shown, for a GPU that has not seen it
   // What it says of its camera.
   PictureLens lens_;
   Pose T_world_camera_;
+  std::optional<Latency> latency_;  // of the last frame that was drawn
   std::optional<Time> lost_at_, snapshot_at_;
   bool paused_ = false;
   Snapshots snapshots_;

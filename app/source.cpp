@@ -6,11 +6,12 @@
 
 namespace onestroke {
 
-std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog& catalog) {
+std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog& catalog, const HeadMount& mount) {
   CameraOptions camera{.spec = options.camera, .fov_rad = {}, .calibration = options.calibration, .readout = {}};
   if (options.fov_deg) camera.fov_rad = *options.fov_deg * std::numbers::pi / 180;
   if (options.readout_ms) camera.readout = Duration::from_ms(*options.readout_ms);
   camera.catalog = &catalog;
+  camera.mount = mount;
   return open_camera(camera);
 }
 

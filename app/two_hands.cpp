@@ -63,11 +63,12 @@ const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::spa
     add_planes(view);
     measure_.draw(builder_, view, comparison_.view().measure);
     if (comparison_.view().offer) draw_offer(builder_, view, *comparison_.view().offer);
-    if (difference_) legend_.draw(builder_, view, difference_->statistics, map_.value());
-    if (words_) add_words(view, status);
-    if (!notice_.empty())
-      add_text(notice_, view.viewport.width - 0.8 * text_em(view), view.viewport.height - 0.8 * text_em(view), 1, 1,
-               text_em(view));
+    const double em = text_em(view);
+    area_ = hud_area(views, options_.worn);
+    scene_.hud_plate = area_.plate;
+    if (difference_) legend_.draw(builder_, area_, em, difference_->statistics, map_.value());
+    if (words_) add_words(em, status);
+    if (!notice_.empty()) add_notice(em);
   }
   scene_.passthrough_segments = picture_depth_.update(record, now);
   builder_.give(scene_);
@@ -217,9 +218,13 @@ void TwoHands::add_planes(const View& view) {
   }
 }
 
-void TwoHands::add_words(const View& view, std::string_view status) {
+void TwoHands::add_notice(double em) {
+  add_text(notice_, area_.width - 0.8 * em, area_.height - 0.8 * em, 1, 1, em);
+}
+
+void TwoHands::add_words(double em, std::string_view status) {
   const ComparisonView& compared = comparison_.view();
-  const double em = text_em(view), edge = 0.8 * em, line = 1.8 * em;
+  const double edge = 0.8 * em, line = 1.8 * em;
   double y = edge;
   const auto add = [&](std::string_view words) {
     if (words.empty()) return;
@@ -235,7 +240,7 @@ void TwoHands::add_words(const View& view, std::string_view status) {
     if (differences_->state() == DifferenceDesk::State::failed) statistics_[0] = Text(differences_->reason());
     for (const Text& words : statistics_) add(words.view());
   }
-  if (!status.empty()) add_text(status, edge, view.viewport.height - edge, 0, 1, em);
+  if (!status.empty()) add_text(status, edge, area_.height - edge, 0, 1, em);
 }
 
 void TwoHands::add_line(Vec3 from, Vec3 to, double width_px, Color color) {

@@ -16,6 +16,7 @@ namespace onestroke {
 
 struct TwoHandsOptions {
   bool left_handed = false;
+  bool worn = false;  ///< Whether the display is before the wearer's eyes rather than on a desk.
   /// Waits until the difference of two models that are laid over each other is known, rather than show how far it is:
   /// for films, so that one recording always gives the same.
   bool wait_for_differences = false;
@@ -33,7 +34,7 @@ class TwoHands {
   void shelf_is_new() { comparison_.carry(shelf_.carried()); }
   /// False where the key means nothing to the comparison.
   bool press(char key) { return comparison_.press(key); }
-  /// For the screen's lower right corner, from the next frame on; lives until then. Empty for nothing.
+  /// For the lower right corner, from the next frame on; lives until then. Empty for nothing.
   void say(std::string_view notice) { notice_ = notice; }
   void toggle_words() { words_ = !words_; }
   bool words() const { return words_; }
@@ -55,7 +56,8 @@ class TwoHands {
   void add_labels(const View& view);
   void add_cards(const View& view);
   void add_planes(const View& view);
-  void add_words(const View& view, std::string_view status);
+  void add_words(double em, std::string_view status);
+  void add_notice(double em);
   void add_line(Vec3 from, Vec3 to, double width_px, Color color);
   void add_text(std::string_view text, double x, double y, double pivot_x, double pivot_y, double height_px);
 
@@ -73,6 +75,7 @@ class TwoHands {
   FrameSteps frames_;
   std::string_view notice_;
   std::array<Text, 3> statistics_;
+  HudArea area_;
   SceneBuilder builder_;
   FrameScene scene_;
 };

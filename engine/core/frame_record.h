@@ -44,6 +44,7 @@ struct FrameRecord {
   Time time;  ///< Middle of the exposure; the poses belong to it.
   Pose T_world_camera;
   Duration cost;  ///< Tracker's own time for this picture.
+  Time tracked;   ///< When it was done, on CLOCK_MONOTONIC; zero where a recording tells.
   int marker_count = 0;
   std::array<MarkerObservation, max_markers_per_frame> markers{};
 

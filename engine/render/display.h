@@ -36,6 +36,8 @@ struct FrameInfo {
   bool should_render = false;
   /// When the frame will be seen.
   Time time;
+  /// When the views were last asked for, where they follow a head.
+  Time located;
   /// Where from, and where in the target. A display that tracks no head gives views at the world's origin with a field
   /// of view of its own; the caller may move them before drawing.
   std::array<View, max_views> views{};
@@ -62,6 +64,9 @@ class Display : public HeadTracker {
   /// Waits for the time to draw the next frame. Every begin() is followed by one end() with the same info, where
   /// should_render may have become false: nothing was drawn then.
   virtual void begin(FrameInfo& frame) = 0;
+  /// Moves the views to where they are expected by now, for the time of the frame; false where they stay. Between
+  /// begin() and end(), as late as can be. Does not throw.
+  virtual bool move_views(FrameInfo&) { return false; }
   /// Shows what was drawn. Neither throws; a display that cannot go on closes, and finish() says why.
   virtual void end(const FrameInfo& frame) = 0;
 

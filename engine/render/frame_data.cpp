@@ -71,6 +71,14 @@ void plan_passes(FrameData& data, std::span<const View> views, bool together, co
   }
 }
 
+void move_views(FrameData& data, Arena& arena, std::span<const View> views, const Pose& T_world_camera) {
+  for (FramePass& pass : std::span(data.passes).first(data.pass_count)) {
+    for (std::size_t i = 0; i < pass.view_count; ++i)
+      pass.views[i] = view_data(views[pass.first_view + i], T_world_camera);
+    arena.replace(pass.views_at, std::span<const gpu::ViewData>(pass.views));
+  }
+}
+
 void fill_arena(FrameData& data, Device& device, Arena& arena, const FrameParts& parts) {
   const auto& limits = device.properties().limits;
   const std::uint64_t alignment =

@@ -24,6 +24,9 @@ struct FrameData {
 /// picture was taken.
 void plan_passes(FrameData& data, std::span<const View> views, bool together, const Pose& T_world_camera);
 
+/// Moves the views of planned passes whose parts fill_arena() has put into the arena.
+void move_views(FrameData& data, Arena& arena, std::span<const View> views, const Pose& T_world_camera);
+
 /// What goes into the arena.
 struct FrameParts {
   const FrameScene& scene;

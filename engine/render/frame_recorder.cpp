@@ -14,6 +14,9 @@ namespace {
 
 using Layout = vk::ImageLayout;
 
+// What is predicted for a head some milliseconds later differs by less, unless it is struck.
+constexpr float farthest_move_px = 16;
+
 constexpr Color surround{SURROUND_R, SURROUND_G, SURROUND_B, 1};
 
 Image make_glyphs(Device& device) {
@@ -91,8 +94,12 @@ void FrameRecorder::build_surface(const FrameScene& scene, std::span<const View>
   surface_.build(picture.inside(), picture.bounds(), segments, *scene.passthrough_distance);
 }
 
-void FrameRecorder::find_foreground(FramePass& pass) const {
-  ScreenBounds bounds(std::span(pass.views).first(pass.view_count));
+void FrameRecorder::move_views(FrameSlot& slot, std::span<const View> views, const PictureStore& picture) {
+  onestroke::move_views(data_, slot.arena, views, picture.T_world_camera());
+}
+
+void FrameRecorder::find_foreground(FramePass& pass, float margin_px) const {
+  ScreenBounds bounds(std::span(pass.views).first(pass.view_count), margin_px);
   models_.add_to(bounds);
   overlay_.add_to(bounds);
   pass.foreground = bounds.area();
@@ -130,7 +137,7 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
 }
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
-                           const RenderTarget& target, const Seen& seen) {
+                           const RenderTarget& target, const Seen& seen, bool views_move) {
   plan_passes(data_, views, can_draw_together(views), seen.picture.T_world_camera());
   targets_.fit(target, static_cast<std::uint32_t>(data_.passes.front().view_count), slot.graveyard);
   models_.prepare(scene.instances, views);
@@ -148,7 +155,7 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
   for (FramePass& pass : std::span(data_.passes).first(data_.pass_count)) {
     const auto drawn = views.subspan(pass.first_view, pass.view_count);
     const Pipelines& pipelines = pipelines_for(target, pass.view_mask);
-    find_foreground(pass);
+    find_foreground(pass, views_move ? farthest_move_px : 0);
     slot.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layouts_.pipeline, 0, slot.set,
                                      static_cast<std::uint32_t>(pass.views_at));
     if (pass.foreground.extent.width > 0) record_foreground(slot, pass, pipelines, drawn, scene, seen);

@@ -29,14 +29,17 @@ class FrameRecorder {
     FingerLayer& fingers;
   };
 
+  /// views_move: whether move_views() will be called for the frame.
   void record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views, const RenderTarget& target,
-              const Seen& seen);
+              const Seen& seen, bool views_move = false);
+  /// Sees the frame that was recorded last from where the views are now, a little way off.
+  void move_views(FrameSlot& slot, std::span<const View> views, const PictureStore& picture);
 
  private:
   bool can_draw_together(std::span<const View> views);
   const Pipelines& pipelines_for(const RenderTarget& target, std::uint32_t view_mask);
   void build_surface(const FrameScene& scene, std::span<const View> views, const PictureStore& picture);
-  void find_foreground(FramePass& pass) const;
+  void find_foreground(FramePass& pass, float margin_px) const;
   void write_set(const FrameSlot& slot, const Seen& seen) const;
   void record_foreground(const FrameSlot& slot, const FramePass& pass, const Pipelines& pipelines,
                          std::span<const View> drawn, const FrameScene& scene, const Seen& seen);

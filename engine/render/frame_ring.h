@@ -21,6 +21,11 @@ class Arena {
     used_ = at + items.size_bytes();
     return at;
   }
+  /// Writes over what lies at `at`, before the frame is handed to the GPU.
+  template <typename T>
+  void replace(std::uint64_t at, std::span<const T> items) {
+    std::memcpy(buffer_.mapped() + at, items.data(), items.size_bytes());
+  }
   vk::Buffer handle() const { return buffer_.handle(); }
 
  private:

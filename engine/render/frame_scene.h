@@ -90,6 +90,13 @@ struct HudText {
   Color plate{0.01F, 0.012F, 0.016F, 0.78F};
 };
 
+/// Where the screen's boxes and texts hang for eyes that wear the display: straight before the middle of the views,
+/// parallel to the screen. Their pixels are those of the first view, from the plate's top left corner.
+struct HudPlate {
+  double distance = 1000;  ///< mm
+  double width = 0, height = 0;
+};
+
 /// A straight line in the world, of constant width on the screen.
 struct Line {
   Vec3 from_world{}, to_world{};  ///< Vision axes, mm.
@@ -124,6 +131,7 @@ struct FrameScene {
   std::span<const Gauge> gauges{};
   std::span<const HudBox> boxes{};  ///< Under the screen's texts.
   std::span<const HudText> hud{};
+  std::optional<HudPlate> hud_plate{};  ///< None: on the screen of every view.
   /// Without one, models stand in the light that the camera's pictures show, or before the first in Light{}.
   std::optional<Light> light{};
   /// Fingers that cover a stick are in front of what stands behind them.

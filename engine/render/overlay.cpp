@@ -61,8 +61,10 @@ void Overlay::build(const FrameScene& scene, std::span<const View> views) {
       add_gauge(*marking.gauge, frame);
     if (!marking.on_top()) tested_ = static_cast<std::uint32_t>(quads_.size());
   }
+  const std::size_t first_on_screen = quads_.size();
   for (const auto& box : scene.boxes) add_box(box);
   for (const auto& text : scene.hud) add_hud(text);
+  if (scene.hud_plate) hang_up(*scene.hud_plate, first_on_screen, frame);
   for (const auto& line : scene.lines)
     lines_.push_back({.from = {point_to_graphics(line.from_world), static_cast<float>(line.width_px)},
                       .to = {point_to_graphics(line.to_world), 1.0F},
@@ -127,6 +129,20 @@ void Overlay::add_gauge(const Gauge& gauge, const Frame& frame) {
   if (gauge.back.a > 0) add(radius, thickness, 1, gauge.back);
   if (gauge.progress > 0)
     add(radius - rim, thickness - 2 * rim, static_cast<float>(std::min(gauge.progress, 1.0)), gauge.color);
+}
+
+/// From the screen into the world.
+void Overlay::hang_up(const HudPlate& plate, std::size_t first, const Frame& frame) {
+  const auto distance = static_cast<float>(plate.distance * metres_per_millimetre);
+  const glm::vec3 right = frame.right * distance / frame.focal_px, down = frame.down * distance / frame.focal_px;
+  const glm::vec3 corner = frame.eye + distance * frame.forward - static_cast<float>(plate.width / 2) * right -
+                           static_cast<float>(plate.height / 2) * down;
+  const auto in_world = [&](const gpu::vec4& pixels) { return pixels.x * right + pixels.y * down; };
+  for (gpu::QuadData& quad : std::span(quads_).subspan(first)) {
+    quad.origin = {corner + in_world(quad.origin), 0.0F};
+    quad.edge_x = {in_world(quad.edge_x), 0.0F};
+    quad.edge_y = {in_world(quad.edge_y), 0.0F};
+  }
 }
 
 void Overlay::add_box(const HudBox& box) {

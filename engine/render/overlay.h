@@ -37,6 +37,7 @@ class Overlay {
   void sort_markings(const FrameScene& scene, const Frame& frame);
   void add_label(const Label& label, const Frame& frame);
   void add_gauge(const Gauge& gauge, const Frame& frame);
+  void hang_up(const HudPlate& plate, std::size_t first, const Frame& frame);
   void add_box(const HudBox& box);
   void add_hud(const HudText& text);
   void add_text(std::string_view text, const gpu::QuadData& plate, const Color& color, float em_width);

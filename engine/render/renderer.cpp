@@ -17,6 +17,17 @@ struct Renderer::Impl {
         recorder(*device, layouts, models, options.multiview),
         ring(*device, *layouts.frame) {}
 
+  /// Submits what `record` has made of a frame.
+  template <typename Record>
+  bool draw(Record&& record, const RenderTarget& target) noexcept;
+
+  FrameSlot& record(const FrameScene& scene, const FrameInfo& frame, bool views_move) {
+    FrameSlot& slot = ring.begin();
+    models.record_uploads(slot);
+    recorder.record(slot, scene, frame.seen(), *frame.target, {picture, lighting, fingers}, views_move);
+    return slot;
+  }
+
   std::shared_ptr<Device> device;
   Layouts layouts;
   ModelMaker maker;
@@ -67,20 +78,31 @@ void Renderer::clear_picture() {
   impl_->fingers.clear();
 }
 
-bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
+template <typename Record>
+bool Renderer::Impl::draw(Record&& record, const RenderTarget& target) noexcept {
   try {
-    FrameSlot& slot = impl_->ring.begin();
-    impl_->models.record_uploads(slot);
-    impl_->recorder.record(slot, scene, frame.seen(), *frame.target, {impl_->picture, impl_->lighting, impl_->fingers});
-    impl_->ring.submit(*frame.target);
+    record();
+    ring.submit(target);
     return true;
   } catch (const vk::DeviceLostError&) {
-    impl_->failure = "the GPU was lost: restart the program";
-    impl_->lost = true;
+    failure = "the GPU was lost: restart the program";
+    lost = true;
   } catch (const std::exception& error) {
-    impl_->failure = std::string("the GPU cannot draw: ") + error.what();
+    failure = std::string("the GPU cannot draw: ") + error.what();
   }
   return false;
+}
+
+bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
+  return impl_->draw([&] { impl_->record(scene, frame, false); }, *frame.target);
+}
+
+bool Renderer::draw(const FrameScene& scene, FrameInfo& frame, Display& display) noexcept {
+  const auto record = [&] {
+    FrameSlot& slot = impl_->record(scene, frame, true);
+    if (display.move_views(frame)) impl_->recorder.move_views(slot, frame.seen(), impl_->picture);
+  };
+  return impl_->draw(record, *frame.target);
 }
 
 const std::shared_ptr<RoomLight>& Renderer::room() const {

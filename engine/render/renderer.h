@@ -51,6 +51,8 @@ class Renderer {
   /// Draws the scene into the frame's target and hands it to the GPU. Waits for the frame before last. False where the
   /// GPU is lost or out of memory, and then failure() says so; allocates nothing once warm.
   [[nodiscard]] bool draw(const FrameScene& scene, const FrameInfo& frame) noexcept;
+  /// The same, and lets the display move the frame's views once all is ready to go to the GPU.
+  [[nodiscard]] bool draw(const FrameScene& scene, FrameInfo& frame, Display& display) noexcept;
   const std::string& failure() const;
   /// What the pictures have told of the room's light; stays good where the GPU is lost.
   const std::shared_ptr<RoomLight>& room() const;

@@ -65,8 +65,8 @@ vk::Rect2D ScreenBounds::area() const {
   const glm::vec4 viewport = views_.front().viewport;
   const glm::vec2 first(viewport), end = first + glm::vec2(viewport.z, viewport.w);
   // A pixel more on every side for what rounding may do.
-  const glm::vec2 lower = glm::clamp(glm::floor(lower_) - 1.0F, first, end);
-  const glm::vec2 upper = glm::clamp(glm::ceil(upper_) + 1.0F, first, end);
+  const glm::vec2 lower = glm::clamp(glm::floor(lower_ - turn_px_) - 1.0F, first, end);
+  const glm::vec2 upper = glm::clamp(glm::ceil(upper_ + turn_px_) + 1.0F, first, end);
   if (!(lower.x < upper.x && lower.y < upper.y)) return {};
   return {{static_cast<std::int32_t>(lower.x), static_cast<std::int32_t>(lower.y)},
           {static_cast<std::uint32_t>(upper.x - lower.x), static_cast<std::uint32_t>(upper.y - lower.y)}};

@@ -23,8 +23,8 @@ struct Box {
 /// metres.
 class ScreenBounds {
  public:
-  /// The views look through one and the same viewport and outlive this.
-  explicit ScreenBounds(std::span<const gpu::ViewData> views) : views_(views) {}
+  /// The views look through one and the same viewport, outlive this, and may yet turn by so many pixels.
+  explicit ScreenBounds(std::span<const gpu::ViewData> views, float turn_px = 0) : views_(views), turn_px_(turn_px) {}
 
   /// A point, and so many pixels round it.
   void add(const glm::vec3& world, float margin_px);
@@ -38,6 +38,7 @@ class ScreenBounds {
   void add_everything();
 
   std::span<const gpu::ViewData> views_;
+  float turn_px_;
   glm::vec2 lower_{INFINITY}, upper_{-INFINITY};  // pixels
 };
 

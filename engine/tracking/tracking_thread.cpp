@@ -89,6 +89,7 @@ void TrackingThread::track(const std::stop_token& stop) {
   const auto record = std::make_unique<FrameRecord>();
   while (PictureHandle picture = next_picture(stop)) {
     tracker_.process(*picture, *record);
+    record->tracked = Time::now();
     publish(stop, std::move(picture), *record);
   }
   finished_.store(true, std::memory_order_release);

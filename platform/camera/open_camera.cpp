@@ -20,7 +20,7 @@ std::unique_ptr<Camera> open_synthetic(const std::string& settings, const Camera
   if (!options.calibration.empty()) {
     lens = LensSource(options.calibration, {}).intrinsics(synthetic.width, synthetic.height, "the synthetic camera");
   }
-  return make_synthetic_camera(synthetic, *options.catalog, lens);
+  return make_synthetic_camera(synthetic, *options.catalog, lens, options.mount);
 }
 
 LensSource lens_of(const CameraOptions& options) {

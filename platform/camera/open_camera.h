@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
+#include "core/head_tracker.h"
 #include "marker/catalog.h"
 
 #include <filesystem>
@@ -18,6 +19,7 @@ struct CameraOptions {
   std::filesystem::path calibration;  ///< OpenCV's YAML; overrides fov_rad. Empty for none.
   Duration readout;                   ///< First row to last row, top first; 0 for a global shutter.
   const Catalog* catalog = nullptr;   ///< The markers that the synthetic camera shows; read while opening only.
+  HeadMount mount{};                  ///< Whose head the synthetic camera sees from; outlives the camera.
 };
 
 /// Opens a camera. Folders and videos need a field of view or a calibration; the synthetic camera brings its own.

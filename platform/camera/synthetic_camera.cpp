@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t buffers = 7;
 constexpr std::size_t most_hands = 2;
+// Of a head that nobody scripted, rad.
+constexpr double any_turn = std::numbers::pi;
 
 const MarkerSpec& marker_of(const Catalog& catalog, std::optional<int> id, std::size_t otherwise) {
   if (id) {
@@ -75,11 +77,13 @@ Room make_room(const SyntheticOptions& options, const Intrinsics& k, double head
 
 class SyntheticCamera : public Camera {
  public:
-  SyntheticCamera(const SyntheticOptions& options, const Catalog& catalog, const Intrinsics& intrinsics)
+  SyntheticCamera(const SyntheticOptions& options, const Catalog& catalog, const Intrinsics& intrinsics,
+                  const HeadMount& mount)
       : options_(options),
+        mount_(mount),
         rods_(make_rods(options, catalog)),
         script_(options, pointers(rods_)),
-        room_(make_room(options, intrinsics, script_.head_turn())),
+        room_(make_room(options, intrinsics, mount.head ? any_turn : script_.head_turn())),
         renderer_(options.threads),
         pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
     frame_.intrinsics = intrinsics;
@@ -106,7 +110,7 @@ class SyntheticCamera : public Camera {
     const Duration span = frame_.effects.exposure + frame_.effects.readout;
     const Time turn = options_.live ? wait_for_turn() - span : Time{since_start(next_).ns};
     // By its number, so that a live picture can be made again.
-    pose_frame(since_start(next_), span);
+    pose_frame(since_start(next_), turn, span);
     draw(*loan);
     fill(loan->picture, turn);
     picture = PictureHandle(*loan);
@@ -146,12 +150,14 @@ class SyntheticCamera : public Camera {
     return due;
   }
 
-  void pose_frame(Duration start, Duration span) {
+  /// `start` is the script's time and `turn` the picture's.
+  void pose_frame(Duration start, Time turn, Duration span) {
     std::array<double, PosePath::knots> at{};
     std::array<Pose, PosePath::knots> head, poses, T_camera_world;
     for (std::size_t k = 0; k < at.size(); ++k) {
       at[k] = start.seconds() + span.seconds() * static_cast<double>(k) / (PosePath::knots - 1);
-      head[k] = script_.T_world_camera(at[k]);
+      head[k] = mount_.head ? seen_by_head(turn + static_cast<std::int64_t>(k) * span / (PosePath::knots - 1))
+                            : script_.T_world_camera(at[k]);
       T_camera_world[k] = inverse(head[k]);
     }
     frame_.T_world_camera = PosePath(head);
@@ -166,6 +172,12 @@ class SyntheticCamera : public Camera {
       }
     }
     frame_.noise_seed = scramble(options_.seed) + next_ * 0x10001;
+  }
+
+  /// Where the head is lost it stays.
+  Pose seen_by_head(Time time) {
+    T_world_head_camera_ = mount_.T_world_camera(time).value_or(T_world_head_camera_);
+    return T_world_head_camera_;
   }
 
   void draw(PictureHandle::Loan& loan) {
@@ -192,6 +204,8 @@ class SyntheticCamera : public Camera {
   }
 
   SyntheticOptions options_;
+  HeadMount mount_;
+  Pose T_world_head_camera_ = mount_.T_head_camera;
   std::vector<std::unique_ptr<const Rod>> rods_;
   HandScript script_;
   Room room_;
@@ -206,11 +220,12 @@ class SyntheticCamera : public Camera {
 }  // namespace
 
 std::unique_ptr<Camera> make_synthetic_camera(const SyntheticOptions& options, const Catalog& catalog,
-                                              const std::optional<Intrinsics>& intrinsics) {
+                                              const std::optional<Intrinsics>& intrinsics, const HeadMount& mount) {
   return std::make_unique<SyntheticCamera>(
       options, catalog,
       intrinsics.value_or(
-          Intrinsics::from_fov(options.width, options.height, options.fov_deg * std::numbers::pi / 180)));
+          Intrinsics::from_fov(options.width, options.height, options.fov_deg * std::numbers::pi / 180)),
+      mount);
 }
 
 }  // namespace onestroke

@@ -79,11 +79,27 @@ struct OpenXrDisplay::Impl {
     if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
     frame.target = seat->swapchain.acquire();
     if (!frame.target) return;
+    put_views(frame);
+    frame.should_render = true;
+  }
+
+  void put_views(FrameInfo& frame) const {
+    frame.located = Time::now();
     for (std::size_t i = 0; i < max_views; ++i) {
       frame.views.at(i) = seat->spaces.view(i);
       frame.views.at(i).viewport = {0, 0, frame.target->width, frame.target->height};
     }
-    frame.should_render = true;
+  }
+
+  bool move_views(FrameInfo& frame) noexcept {
+    try {
+      if (!seat || !seat->spaces.locate(seat->session.display_time())) return false;
+      put_views(frame);
+      return true;
+    } catch (const std::exception&) {
+      // The frame needs its image yet; end() finds out what happened.
+      return false;
+    }
   }
 
   void end(const FrameInfo& frame) {
@@ -180,6 +196,10 @@ void OpenXrDisplay::begin(FrameInfo& frame) {
   frame.view_count = max_views;
   impl_->guard([&] { impl_->begin(frame); });
   frame.time = impl_->last;
+}
+
+bool OpenXrDisplay::move_views(FrameInfo& frame) {
+  return impl_->move_views(frame);
 }
 
 void OpenXrDisplay::end(const FrameInfo& frame) {

@@ -18,6 +18,7 @@ class OpenXrDisplay final : public Display {
   /// Where the headset is not worn, another program has it or the runtime went away, waits a little and wants nothing
   /// drawn.
   void begin(FrameInfo& frame) override;
+  bool move_views(FrameInfo& frame) override;
   void end(const FrameInfo& frame) override;
   std::span<const Key> poll() override;
   bool closed() const override;

@@ -31,6 +31,8 @@ class OpenXrSession {
 
   /// Waits until the runtime wants the next frame, and begins it. Throws OpenXrError.
   XrFrameState begin_frame();
+  /// Of the frame that was begun last, as the runtime expects it to be seen.
+  XrTime display_time() const { return display_time_; }
   /// True between begin_frame() and end_frame().
   bool frame_begun() const { return frame_begun_; }
   /// Ends the frame that was begun, with a layer or, where nothing was drawn, with null. Throws OpenXrError.

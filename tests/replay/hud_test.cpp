@@ -31,11 +31,12 @@ class HudPicture : public golden::Stage {
  protected:
   HudPicture() : chart(width, height, PixelFormat::rgb8, fov) {
     renderer->set_picture(chart.picture);
-    words.update(record_of_three(), {.tracker_ms = 8.25,
-                                     .pictures_a_second = 29.8,
-                                     .frames_a_second = 60.1,
-                                     .age = Duration::from_ms(23.4),
-                                     .left_out = 3});
+    words.update(record_of_three(),
+                 {.tracker_ms = 8.25,
+                  .pictures_a_second = 29.8,
+                  .frames_a_second = 60.1,
+                  .latency = Latency{Duration::from_ms(11.4), Duration::from_ms(15.2), Duration::from_ms(23.4)},
+                  .left_out = 3});
   }
 
   const golden::Chart chart;

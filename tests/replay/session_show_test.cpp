@@ -79,7 +79,8 @@ class SessionShow : public testing::Test {
     KeyedDisplay display;
     Graphics graphics = graphics_for(display);
     SessionReader session(file);
-    ReplayFeed feed(session, camera.get());
+    ReplayFeed feed(session);
+    feed.use(camera.get());
     Show({display, graphics, feed}).run({}, [](std::size_t) {});
     return std::move(display.pictures);
   }

@@ -72,7 +72,9 @@ TEST(DesktopHud, AllocatesNothingAfterItsConstructor) {
   for (int i = 0; i < 200; ++i) {
     // Markers come and go, figures grow, and the window changes its size.
     record.marker_count = i % (max_markers_per_frame + 1);
-    words.update(record, {.tracker_ms = i * 10.0, .frames_a_second = i * 5.0, .age = Duration::from_ms(i * 50)});
+    words.update(
+        record,
+        {.tracker_ms = i * 10.0, .frames_a_second = i * 5.0, .latency = Latency{{}, {}, Duration::from_ms(i * 50)}});
     hud.lay_out(words, {0, 0, 300 + 9 * i, 200 + 7 * i});
   }
   EXPECT_EQ(allocations_of_this_thread(), before);

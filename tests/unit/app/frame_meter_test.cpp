@@ -25,7 +25,7 @@ TEST(FrameMeter, CountsPicturesAndFrames) {
   EXPECT_NEAR(figures.frames_a_second, 60, 0.5);
   EXPECT_NEAR(figures.tracker_ms, 8, 0.1);
   EXPECT_EQ(figures.left_out, 3u);
-  EXPECT_FALSE(figures.age);
+  EXPECT_FALSE(figures.latency);
 }
 
 TEST(FrameMeter, TellsTheMedianAgeOfTheLastSecond) {
@@ -33,16 +33,17 @@ TEST(FrameMeter, TellsTheMedianAgeOfTheLastSecond) {
   const FrameRecord record;
   const auto frames = [&](int from, int to, auto&& age_ms) {
     for (int i = from; i < to; ++i)
-      meter.update(
-          {.record = record, .age = Duration::from_ms(age_ms(i)), .now = start + Duration::from_seconds(i / 60.0)});
+      meter.update({.record = record,
+                    .latency = Latency{.tracked = {}, .drawn = {}, .seen = Duration::from_ms(age_ms(i))},
+                    .now = start + Duration::from_seconds(i / 60.0)});
   };
   // One frame in ten is far too late, which a mean would tell of.
   frames(0, 91, [](int i) { return i % 10 == 0 ? 400 : 20; });
-  ASSERT_TRUE(meter.figures().age);
-  EXPECT_EQ(meter.figures().age->ms(), 20);
+  ASSERT_TRUE(meter.figures().latency);
+  EXPECT_EQ(meter.figures().latency->seen.ms(), 20);
   // What is older than a second counts no more.
   frames(91, 182, [](int) { return 45; });
-  EXPECT_EQ(meter.figures().age->ms(), 45);
+  EXPECT_EQ(meter.figures().latency->seen.ms(), 45);
 }
 
 TEST(FrameMeter, KeepsUpWithAFastDisplay) {
@@ -50,20 +51,21 @@ TEST(FrameMeter, KeepsUpWithAFastDisplay) {
   const FrameRecord record;
   for (int i = 0; i <= 3000; ++i)
     meter.update({.record = record,
-                  .age = Duration::from_ms(i < 1500 ? 1 : 7),
+                  .latency = Latency{.tracked = {}, .drawn = {}, .seen = Duration::from_ms(i < 1500 ? 1 : 7)},
                   .now = start + Duration::from_seconds(i / 1000.0)});
-  EXPECT_EQ(meter.figures().age->ms(), 7);
+  EXPECT_EQ(meter.figures().latency->seen.ms(), 7);
   EXPECT_NEAR(meter.figures().frames_a_second, 1000, 3);
 }
 
 TEST(FrameMeter, TellsNoAgeWhereNoneIsKnownAnyMore) {
   FrameMeter meter;
   const FrameRecord record;
-  meter.update({.record = record, .age = Duration::from_ms(5), .now = start});
+  meter.update(
+      {.record = record, .latency = Latency{.tracked = {}, .drawn = {}, .seen = Duration::from_ms(5)}, .now = start});
   meter.update({.record = record, .now = start + Duration::from_ms(600)});
-  EXPECT_TRUE(meter.figures().age);
+  EXPECT_TRUE(meter.figures().latency);
   meter.update({.record = record, .now = start + Duration::from_ms(1200)});
-  EXPECT_FALSE(meter.figures().age);
+  EXPECT_FALSE(meter.figures().latency);
 }
 
 }  // namespace

@@ -27,11 +27,12 @@ std::string row(const HudWords::Marker& m) {
          std::string(m.distance.view());
 }
 
-const FrameFigures figures{.tracker_ms = 8.25,
-                           .pictures_a_second = 29.8,
-                           .frames_a_second = 60.1,
-                           .age = Duration::from_ms(23.4),
-                           .left_out = 3};
+const FrameFigures figures{
+    .tracker_ms = 8.25,
+    .pictures_a_second = 29.8,
+    .frames_a_second = 60.1,
+    .latency = Latency{Duration::from_ms(11.4), Duration::from_ms(15.2), Duration::from_ms(23.4)},
+    .left_out = 3};
 
 TEST(HudWords, SayARowAMarker) {
   FrameRecord record;
@@ -63,13 +64,20 @@ TEST(HudWords, KeepTheRowsInTheOrderOfTheirIds) {
 TEST(HudWords, SayHowTheShowGoes) {
   HudWords words(true);
   words.update({}, figures);
-  EXPECT_EQ(lines_of(words), (std::vector<std::string>{"30 pictures/s · 60 frames/s · 3 left out",
-                                                       "Camera to display 23 ms · tracker 8.2 ms"}));
+  EXPECT_EQ(lines_of(words),
+            (std::vector<std::string>{"30 pictures/s · 60 frames/s · 3 left out", "Tracker 8.2 ms a picture",
+                                      "After exposure: tracked 11, drawn 15, seen 23 ms"}));
+  EXPECT_EQ(words.status(),
+            "30 pictures/s · 60 frames/s · 3 left out\nTracker 8.2 ms a picture\n"
+            "After exposure: tracked 11, drawn 15, seen 23 ms");
   FrameFigures recording = figures;
-  recording.age.reset();
+  recording.latency.reset();
   words.update({}, recording);
   EXPECT_EQ(lines_of(words),
             (std::vector<std::string>{"30 pictures/s · 60 frames/s · 3 left out", "Tracker 8.2 ms a picture"}));
+  HudWords film(false);
+  film.update({}, figures);
+  EXPECT_EQ(film.status(), "Tracker 8.2 ms a picture");
 }
 
 TEST(HudWords, LeaveOutWhatDependsOnTheMachine) {

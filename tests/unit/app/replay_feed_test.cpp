@@ -42,7 +42,8 @@ class ReplayFeedTest : public test::FolderTest {
 TEST_F(ReplayFeedTest, ShowsTheLogsPicturesAsTheLogDid) {
   SessionReader session = log_of({0, 0, 3, 4, 4, 9});
   CountingCamera camera(20, 2);
-  ReplayFeed feed(session, &camera);
+  ReplayFeed feed(session);
+  feed.use(&camera);
   std::vector<std::uint64_t> shown;
   PictureHandle held;  // as a show does
   for (std::int64_t frame = 1; frame <= 6; ++frame) {
@@ -65,7 +66,8 @@ TEST_F(ReplayFeedTest, ShowsTheLogsPicturesAsTheLogDid) {
 TEST_F(ReplayFeedTest, DarkPicturesStandForThoseThatTheCameraLacks) {
   SessionReader session = log_of({0, 1, 2, 3, 4, 5});
   CountingCamera camera(2);
-  ReplayFeed feed(session, &camera);
+  ReplayFeed feed(session);
+  feed.use(&camera);
   PictureHandle held;
   for (std::uint64_t i = 0; i < 6; ++i) {
     ASSERT_EQ(feed.advance({}, never), Next::picture);
@@ -83,7 +85,7 @@ TEST_F(ReplayFeedTest, DarkPicturesStandForThoseThatTheCameraLacks) {
 
 TEST_F(ReplayFeedTest, NeedsNoCamera) {
   SessionReader session = log_of({7, 8});
-  ReplayFeed feed(session, nullptr);
+  ReplayFeed feed(session);
   EXPECT_EQ(feed.advance({}, never), Next::picture);
   EXPECT_TRUE(feed.take_picture());
   EXPECT_EQ(feed.advance({}, never), Next::picture);
@@ -95,7 +97,8 @@ TEST_F(ReplayFeedTest, WaitingForACameraCanBeStopped) {
   CountingCamera starved(5, 1);
   PictureHandle held;
   ASSERT_EQ(starved.next(held), Camera::Status::ok);
-  ReplayFeed feed(session, &starved);
+  ReplayFeed feed(session);
+  feed.use(&starved);
   EXPECT_EQ(feed.advance({}, always), Next::picture);
   EXPECT_EQ(feed.dark_pictures(), 1u);
 }
@@ -108,7 +111,7 @@ TEST_F(ReplayFeedTest, GivesTheKeysThatChangeWhatIsSeen) {
     log.add({}, {}, false, {});
   }
   SessionReader session(file);
-  ReplayFeed feed(session, nullptr);
+  ReplayFeed feed(session);
   EXPECT_EQ(feed.advance({}, never), Next::same);
   const auto keys = feed.keys();
   EXPECT_THAT(std::vector<Key>(keys.begin(), keys.end()), ElementsAre(Key{'l'}, Key{'h'}));
@@ -122,7 +125,7 @@ TEST_F(ReplayFeedTest, ABadLineEndsTheShowAndSaysWhy) {
   text.replace(text.find("\"sequence\":1"), 12, "\"sequence\":x");
   write(text);
   SessionReader session(file);
-  ReplayFeed feed(session, nullptr);
+  ReplayFeed feed(session);
   EXPECT_EQ(feed.advance({}, never), Next::picture);
   EXPECT_EQ(feed.advance({}, never), Next::end);
   EXPECT_THAT(feed.message(), HasSubstr("session.jsonl, line 3: "));

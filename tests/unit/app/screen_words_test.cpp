@@ -1,6 +1,5 @@
 #include "app/label_layout.h"
 #include "app/scene_builder.h"
-#include "app/status_line.h"
 
 #include <gtest/gtest.h>
 
@@ -99,15 +98,6 @@ TEST(LabelLayout, MakesRoomWithoutJumps) {
     EXPECT_LT(moved, 4) << apart;
     before = one;
   }
-}
-
-TEST(StatusLine, SaysHowTheShowGoes) {
-  const FrameFigures figures{
-      .tracker_ms = 8, .pictures_a_second = 30.2, .frames_a_second = 59.9, .age = Duration::from_ms(20), .left_out = 3};
-  StatusLine status(true);
-  EXPECT_EQ(status.update(figures), "Tracker 8.0 ms · 30 pictures/s · 60 frames/s · 3 pictures left out");
-  StatusLine still(false);
-  EXPECT_EQ(still.update(figures), "Tracker 8.0 ms a picture");
 }
 
 }  // namespace

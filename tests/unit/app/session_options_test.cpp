@@ -21,7 +21,7 @@ TEST(SessionOptions, FilesAreNamedByTheirWholePaths) {
   options.catalog = "c.json";
   options.stereo = true;
   options.fingers = false;
-  const SessionHeader header = session_header(options, 30);
+  const SessionHeader header = session_header(options, 30, std::nullopt);
   EXPECT_EQ(header.camera, "file:" + (here / "b.mp4").string());
   EXPECT_EQ(header.calibration, (here / "lens.yaml").string());
   EXPECT_EQ(header.catalog, (here / "c.json").string());
