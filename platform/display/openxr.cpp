@@ -73,7 +73,6 @@ struct OpenXrDisplay::Impl {
     }
     const XrFrameState state = seat->session.begin_frame();
     if (seat->session.take_recentred()) head.forget();
-    head.sample(Time::now());
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
     if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;

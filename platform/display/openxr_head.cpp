@@ -3,16 +3,18 @@
 #include "display/openxr_spaces.h"
 #include "scene/frames.h"
 
+#include <pthread.h>
+
+#include <chrono>
+
 namespace onestroke {
 
 namespace {
 
-// More than a second, at the fastest headset's rate.
-constexpr std::size_t remembered = 256;
-// Between two that ask.
-constexpr std::size_t waiting = 64;
-// How far back every runtime remembers (the OpenXR specification, xrLocateSpace).
-constexpr Duration runtime_remembers = Duration::from_ms(50);
+// As often as hand and head need to be told apart from a straight line between two samples.
+constexpr std::chrono::milliseconds between_samples(4);
+// Two seconds.
+constexpr std::size_t remembered = 512;
 
 constexpr XrSpaceLocationFlags needed = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
 constexpr XrSpaceVelocityFlags both = XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
@@ -23,54 +25,55 @@ Vec3 vector_of(const XrVector3f& v) {
 
 }  // namespace
 
-OpenXrHead::OpenXrHead() : samples_(waiting), history_(remembered) {}
+OpenXrHead::OpenXrHead() : history_(remembered) {}
 
 void OpenXrHead::attach(const OpenXrClock& clock, XrSession session, XrSpace world) {
-  const std::scoped_lock lock(asking_);
+  detach();
   source_.emplace(clock, make_space(session, XR_REFERENCE_SPACE_TYPE_VIEW), world);
+  follower_ = std::jthread([this](const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "head");
+    follow(stop);
+  });
 }
 
 void OpenXrHead::detach() {
-  forget();
-  const std::scoped_lock lock(asking_);
+  follower_ = {};
   source_.reset();
+  forget();
 }
 
 void OpenXrHead::forget() {
   const std::scoped_lock lock(asking_);
-  samples_.drain([](Sample&) {});
   history_.clear();
 }
 
-std::optional<OpenXrHead::Sample> OpenXrHead::locate(Time time) const {
+void OpenXrHead::follow(const std::stop_token& stop) noexcept {
+  try {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(between_samples)) sample();
+  } catch (const OpenXrError&) {
+    // The thread that renders finds out by itself that the runtime went away.
+  }
+}
+
+void OpenXrHead::sample() {
   auto velocity = typed<XrSpaceVelocity>(XR_TYPE_SPACE_VELOCITY);
   auto location = typed<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
   location.next = &velocity;
-  check(xrLocateSpace(*source_->head, source_->world, source_->clock.to_runtime(time), &location),
+  const Time now = Time::now();
+  check(xrLocateSpace(*source_->head, source_->world, source_->clock.to_runtime(now), &location),
         "the OpenXR runtime does not say where the head is");
-  if ((location.locationFlags & needed) != needed) return std::nullopt;
-  Sample sample{.time = time, .pose = pose_of(location.pose), .velocity = {}};
+  if ((location.locationFlags & needed) != needed) return;
   // Not every runtime tells how fast the head moves.
+  std::optional<Velocity> moving;
   if ((velocity.velocityFlags & both) == both)
-    sample.velocity = {.angular = direction_from_graphics(vector_of(velocity.angularVelocity)),
-                       .linear = direction_from_graphics(vector_of(velocity.linearVelocity)) / metres_per_millimetre};
-  return sample;
-}
-
-void OpenXrHead::sample(Time now) {
-  if (const auto here = locate(now)) samples_.push(*here);
+    moving = {.angular = direction_from_graphics(vector_of(velocity.angularVelocity)),
+              .linear = direction_from_graphics(vector_of(velocity.linearVelocity)) / metres_per_millimetre};
+  const std::scoped_lock lock(asking_);
+  history_.add(now, pose_of(location.pose), moving);
 }
 
 std::optional<Pose> OpenXrHead::at(Time time) const {
   const std::scoped_lock lock(asking_);
-  if (!source_) return std::nullopt;
-  samples_.drain([this](Sample& s) { history_.add(s.time, s.pose, s.velocity); });
-  try {
-    if (Time::now() - time < runtime_remembers)
-      if (const auto there = locate(time)) return there->pose;
-  } catch (const OpenXrError&) {
-    // The thread that renders finds out by itself that the runtime went away.
-  }
   const PoseHistory::Answer answer = history_.get(time);
   return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(answer.pose);
 }

@@ -1,0 +1,92 @@
+#include "scripted_head.h"
+
+#include "core/error.h"
+#include "scene/frames.h"
+
+#include <arpa/inet.h>
+#include <glm/gtc/quaternion.hpp>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace onestroke {
+
+namespace {
+
+constexpr std::uint16_t port = 4242;
+constexpr std::chrono::milliseconds between_sends(2);
+
+// What Monado 25's service reads (its r_remote_data): a mark, the head, two controllers. All are still where they are
+// zero, but for the head's pose: a quaternion x y z w and metres, after those of two eyes that it does not look at.
+constexpr std::size_t record_bytes = 376, pose_at = 8 + 96;
+
+using Record = std::array<char, record_bytes>;
+
+Record record_of(const Pose& T_stage_head) {
+  const glm::mat4 m = to_graphics(T_stage_head);
+  const glm::quat q = glm::quat_cast(m);
+  const std::array<float, 7> pose{q.x, q.y, q.z, q.w, m[3].x, m[3].y, m[3].z};
+  Record record{};
+  std::memcpy(record.data(), "mndrmt3", 8);
+  std::memcpy(record.data() + pose_at, pose.data(), sizeof pose);
+  return record;
+}
+
+int connect_to_service() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
+    throw Error("nobody listens to port 4242: start Monado's service with a scripted head");
+  const int at_once = 1;
+  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
+  return socket;
+}
+
+}  // namespace
+
+ScriptedHead::ScriptedHead(Path path) : path_(std::move(path)), socket_(connect_to_service()) {
+  sender_ = std::jthread([this](const std::stop_token& stop) { send(stop); });
+}
+
+ScriptedHead::~ScriptedHead() {
+  sender_ = {};
+  close(socket_);
+}
+
+void ScriptedHead::move() {
+  const std::scoped_lock lock(mutex_);
+  moving_since_ = Time::now();
+}
+
+void ScriptedHead::set_world(const Pose& T_world_stage) {
+  const std::scoped_lock lock(mutex_);
+  T_world_stage_ = T_world_stage;
+}
+
+void ScriptedHead::send(const std::stop_token& stop) {
+  for (; !stop.stop_requested(); std::this_thread::sleep_for(between_sends)) {
+    const std::scoped_lock lock(mutex_);
+    const Time now = Time::now();
+    const Pose pose = path_(moving_since_ ? (now - *moving_since_).seconds() : 0);
+    const Record record = record_of(pose);
+    if (::send(socket_, record.data(), record.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(record.size())) return;
+    sent_.push_back({now, pose});
+  }
+}
+
+std::optional<Pose> ScriptedHead::head_at(Time time) const {
+  const std::scoped_lock lock(mutex_);
+  const auto after = std::ranges::upper_bound(sent_, time, {}, &Sent::time);
+  if (after == sent_.begin()) return std::nullopt;
+  return T_world_stage_ * std::prev(after)->T_stage_head;
+}
+
+}  // namespace onestroke

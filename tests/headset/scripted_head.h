@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/head_tracker.h"
+
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace onestroke {
+
+/// Moves the head of Monado's remote headset, which this machine's port 4242 moves, and remembers when it was told
+/// what.
+class ScriptedHead final : public HeadTracker {
+ public:
+  /// T_stage_head, vision axes and mm, so many seconds after move().
+  using Path = std::function<Pose(double seconds)>;
+
+  /// Holds the head still where the path begins. Throws Error where nobody listens.
+  explicit ScriptedHead(Path path);
+  ~ScriptedHead() override;
+  ScriptedHead(const ScriptedHead&) = delete;
+
+  void move();
+  /// Where the world is that head_at() speaks of.
+  void set_world(const Pose& T_world_stage);
+  Pose begins_at() const { return path_(0); }
+
+  /// The pose that the runtime had been told last.
+  std::optional<Pose> head_at(Time time) const override;
+
+ private:
+  struct Sent {
+    Time time;
+    Pose T_stage_head;
+  };
+
+  void send(const std::stop_token& stop);
+
+  const Path path_;
+  int socket_ = -1;
+  mutable std::mutex mutex_;  // over all below
+  std::vector<Sent> sent_;
+  std::optional<Time> moving_since_;
+  Pose T_world_stage_;
+  std::jthread sender_;
+};
+
+}  // namespace onestroke
