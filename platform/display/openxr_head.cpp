@@ -13,6 +13,9 @@ namespace {
 
 // As often as hand and head need to be told apart from a straight line between two samples.
 constexpr std::chrono::milliseconds between_samples(4);
+// Some runtimes say where the head is now, whatever the time that they are asked for; a late answer would be of
+// another.
+constexpr Duration longest_answer = Duration::from_ms(2);
 // Two seconds.
 constexpr std::size_t remembered = 512;
 
@@ -62,7 +65,7 @@ void OpenXrHead::sample() {
   const Time now = Time::now();
   check(xrLocateSpace(*source_->head, source_->world, source_->clock.to_runtime(now), &location),
         "the OpenXR runtime does not say where the head is");
-  if ((location.locationFlags & needed) != needed) return;
+  if ((location.locationFlags & needed) != needed || Time::now() - now > longest_answer) return;
   // Not every runtime tells how fast the head moves.
   std::optional<Velocity> moving;
   if ((velocity.velocityFlags & both) == both)

@@ -21,6 +21,9 @@ namespace {
 constexpr std::uint16_t port = 4242;
 constexpr std::chrono::milliseconds between_sends(2);
 
+// How long the service and the display's history may take to notice, and what is a stall.
+constexpr Duration looked_round = Duration::from_ms(15), longest_gap = Duration::from_ms(6);
+
 // What Monado 25's service reads (its r_remote_data): a mark, the head, two controllers. All are still where they are
 // zero, but for the head's pose: a quaternion x y z w and metres, after those of two eyes that it does not look at.
 constexpr std::size_t record_bytes = 376, pose_at = 8 + 96;
@@ -77,9 +80,20 @@ void ScriptedHead::send(const std::stop_token& stop) {
     const Time now = Time::now();
     const Pose pose = path_(moving_since_ ? (now - *moving_since_).seconds() : 0);
     const Record record = record_of(pose);
+    // As soon as it is written the service may have it.
     if (::send(socket_, record.data(), record.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(record.size())) return;
-    sent_.push_back({now, pose});
+    sent_.push_back({Time::now(), pose});
   }
+}
+
+bool ScriptedHead::on_time(Time time) const {
+  const std::scoped_lock lock(mutex_);
+  const auto first = std::ranges::lower_bound(sent_, time - looked_round, {}, &Sent::time);
+  const auto end = std::ranges::upper_bound(sent_, time + looked_round, {}, &Sent::time);
+  if (first == sent_.begin() || end == sent_.end()) return false;
+  return std::adjacent_find(std::prev(first), std::next(end), [](const Sent& a, const Sent& b) {
+           return b.time - a.time > longest_gap;
+         }) == std::next(end);
 }
 
 std::optional<Pose> ScriptedHead::head_at(Time time) const {

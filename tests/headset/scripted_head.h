@@ -28,6 +28,9 @@ class ScriptedHead final : public HeadTracker {
 
   /// The pose that the runtime had been told last.
   std::optional<Pose> head_at(Time time) const override;
+  /// False where the machine was too busy, shortly before a time or after it, to tell the runtime as often as planned:
+  /// what it knew then is not known.
+  bool on_time(Time time) const;
 
  private:
   struct Sent {

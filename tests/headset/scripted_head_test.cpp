@@ -134,7 +134,7 @@ TEST_F(ScriptedHeadTest, ModelsStayOnTheStick) {
       late.push_back(Time::now() - frame.located);
     }
     display.end(frame);
-    if (!frame.should_render || !measured) continue;
+    if (!frame.should_render || !measured || !head.on_time(record.time)) continue;
     if (record.sequence != sequence) ++pictures;
     sequence = record.sequence;
     farthest_turn = std::max(farthest_turn, angle_between(record.T_world_camera.rotation, T_head_camera.rotation));
