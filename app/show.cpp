@@ -74,8 +74,10 @@ bool Show::lost() const {
 
 void Show::recover(Time now) {
   if (lost_at_ && now - *lost_at_ < lost_again_within)
-    throw Error("the GPU was lost twice within " + std::to_string(std::lround(lost_again_within.seconds())) +
-                " seconds: update its driver, or choose another with --gpu");
+    throw Error(std::string(parts_.display.tracks_head() ? "the headset's runtime or the GPU" : "the GPU") +
+                " was lost twice within " + std::to_string(std::lround(lost_again_within.seconds())) + " seconds: " +
+                (parts_.display.tracks_head() ? "restart the runtime's service, or update the GPU's driver"
+                                              : "update its driver, or choose another with --gpu"));
   lost_at_ = now;
   parts_.graphics.rebuild();
   hands_.shelf_is_new();

@@ -236,7 +236,8 @@ void OpenXrDisplay::finish() {
 std::vector<std::string> OpenXrDisplay::report() const {
   const OpenXrSession::Count& count = impl_->count;
   return {"showed " + std::to_string(count.seen) + " of " + std::to_string(count.frames) + " frames in the headset " +
-          impl_->headset + " of " + impl_->runtime + ", " + std::to_string(count.missed) + " missed"};
+          impl_->headset + " of " + impl_->runtime + ", " + std::to_string(count.missed) + " missed, " +
+          std::to_string(count.slow) + " of its own took longer than a display period"};
 }
 
 }  // namespace onestroke

@@ -109,6 +109,7 @@ XrFrameState OpenXrSession::begin_frame() {
   count_missed(frame);
   display_time_ = frame.predictedDisplayTime;
   ++count_.frames;
+  begun_ = Time::now();
   return frame;
 }
 
@@ -129,6 +130,7 @@ void OpenXrSession::end_frame(const XrCompositionLayerProjection* layer) {
   info.layerCount = layer ? 1 : 0;
   info.layers = layer ? &layers : nullptr;
   frame_begun_ = false;
+  if (layer && (Time::now() - begun_).ns > shortest_period_) ++count_.slow;
   check(xrEndFrame(*session_, &info), "the OpenXR runtime does not show a frame");
   if (layer) ++count_.seen;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/time.h"
 #include "display/openxr_instance.h"
 #include "render/device.h"
 
@@ -46,11 +47,13 @@ class OpenXrSession {
     std::int64_t frames = 0;  ///< Begun.
     std::int64_t seen = 0;    ///< Ended with something drawn.
     std::int64_t missed = 0;  ///< Display periods between frames for which there was none.
+    std::int64_t slow = 0;    ///< Frames for which this program needed more than a period, from begun to ended.
 
     Count& operator+=(const Count& more) {
       frames += more.frames;
       seen += more.seen;
       missed += more.missed;
+      slow += more.slow;
       return *this;
     }
   };
@@ -66,6 +69,7 @@ class OpenXrSession {
   OpenXrOwned<XrSession, xrDestroySession> session_;
   bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false, recentred_ = false;
   XrTime display_time_ = 0;
+  Time begun_;
   XrDuration shortest_period_ = std::numeric_limits<XrDuration>::max();
   Count count_;
 };
