@@ -62,6 +62,15 @@ TEST_F(OverlaysStereo, LookTheSameInOnePassAsInTwo) {
   EXPECT_TRUE(result.same) << result.words;
 }
 
+TEST_F(OverlaysStereo, HangTheScreensWordsBeforeBothEyes) {
+  const std::array boxes{HudBox{.x = 200, .y = 60, .width = 24, .height = 80, .color = {0.8F, 0.3F, 0.1F, 1}}};
+  const std::array hud{HudText{.text = "Side by side", .x = 0, .y = 0, .height_px = 20},
+                       HudText{.text = "lower right", .x = 240, .y = 200, .height_px = 20, .pivot_x = 1, .pivot_y = 1}};
+  FrameScene scene{.boxes = boxes, .hud = hud};
+  scene.hud_plate = HudPlate{.distance = 500, .width = 240, .height = 200};
+  expect_golden("hud_plate", draw(scene), {.level = 3, .pixels = 60});
+}
+
 TEST_F(Overlays, SetTextOfAllSizesCrisply) {
   const std::array labels{
       Label{.text = "20 mm: Ångström Øß Žluťoučký µm ° ± → Δ", .position_world = {0, -120, 450}, .height_mm = 14},

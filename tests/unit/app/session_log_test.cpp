@@ -97,7 +97,8 @@ TEST_F(SessionLogTest, TheHeaderComesBack) {
                              .rate = 29.97,
                              .stereo = true,
                              .fingers = false,
-                             .left_handed = true};
+                             .left_handed = true,
+                             .T_head_camera = Pose{exp_so3({0.1, 0, 0}), {1, 2, 3}}};
   { SessionLog log(file, header); }
   const SessionReader session(file);
   const SessionHeader& read = session.header();
@@ -111,6 +112,22 @@ TEST_F(SessionLogTest, TheHeaderComesBack) {
   EXPECT_TRUE(read.stereo);
   EXPECT_FALSE(read.fingers);
   EXPECT_TRUE(read.left_handed);
+  ASSERT_TRUE(read.T_head_camera);
+  EXPECT_NEAR(angle_between(read.T_head_camera->rotation, header.T_head_camera->rotation), 0, 1e-12);
+  EXPECT_EQ(read.T_head_camera->translation.y, 2);
+}
+
+TEST_F(SessionLogTest, TellsEachPicturesWayToTheEye) {
+  {
+    SessionLog log(file, plain);
+    log.took(Latency{Duration::from_ms(11), Duration::from_ms(14.5), Duration::from_ms(40)});
+    log.add({}, Time{1}, false, {});
+    log.took(std::nullopt);
+    log.add({}, Time{2}, false, {});
+  }
+  const std::string text = content(), way = R"("latency_ms":{"tracked":11.0,"drawn":14.5,"seen":40.0})";
+  EXPECT_THAT(text, HasSubstr(way));
+  EXPECT_EQ(text.find("latency_ms"), text.rfind("latency_ms"));
 }
 
 TEST_F(SessionLogTest, KeysAndEventsBelongToTheirFrame) {

@@ -45,6 +45,36 @@ TEST_F(Synthetic, GivesPicturesWithTimesAndTruth) {
   EXPECT_EQ(camera->message(), "");
 }
 
+/// Turns by 1 rad a second.
+struct Turning final : HeadTracker {
+  std::optional<Pose> head_at(Time time) const override {
+    return Pose{exp_so3({0, Duration{time.ns}.seconds(), 0}), {20, 0, 0}};
+  }
+};
+
+TEST_F(Synthetic, SeesFromTheHeadThatWearsIt) {
+  const Turning head;
+  const Pose T_head_camera{exp_so3({0.05, 0, 0}), {0, -30, 50}};
+  CameraOptions options;
+  options.spec = "synthetic:script=still,width=320,height=180,fps=50,seconds=0.1,exposure_ms=4,noise=0";
+  options.catalog = &catalog_;
+  const auto still = open_camera(options);
+  options.mount = {&head, T_head_camera};
+  const auto worn = open_camera(options);
+  for (int i = 0; i < 5; ++i) {
+    const PictureHandle seen = take(*worn), unmoved = take(*still);
+    ASSERT_TRUE(seen && unmoved);
+    const Pose expected = *head.head_at(seen->exposure.middle()) * T_head_camera;
+    EXPECT_NEAR(norm(seen->T_world_camera.translation - expected.translation), 0, 1e-9);
+    EXPECT_NEAR(angle_between(seen->T_world_camera.rotation, expected.rotation), 0, 1e-7);
+    // The stick stands where it does in its script's world.
+    const Pose there = seen->T_world_camera * worn->truth(*seen)[0].T_camera_marker;
+    const Pose here = unmoved->T_world_camera * still->truth(*unmoved)[0].T_camera_marker;
+    EXPECT_NEAR(norm(there.translation - here.translation), 0, 1e-9);
+    EXPECT_NEAR(angle_between(there.rotation, here.rotation), 0, 1e-7);
+  }
+}
+
 TEST_F(Synthetic, TruthBelongsToTheMiddleOfTheExposure) {
   // A steady turn of 10 degrees a picture at 10 pictures a second is 100 degrees a second: at mid-exposure of the
   // middle row, 30 ms after the start, the stick has turned by 3 degrees more.
