@@ -4,6 +4,7 @@
 #include "render/device.h"
 
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace onestroke {
@@ -12,7 +13,7 @@ namespace onestroke {
 class OpenXrSession {
  public:
   /// Instance and device outlive this; the device was made through OpenXrVulkan. Throws OpenXrError.
-  OpenXrSession(const OpenXrInstance& instance, const Device& device);
+  OpenXrSession(const OpenXrInstance& instance, const Device& device, XrEnvironmentBlendMode blend_mode);
 
   XrSession handle() const { return *session_; }
   /// What each eye's image should measure, pixels.
@@ -35,8 +36,9 @@ class OpenXrSession {
   XrTime display_time() const { return display_time_; }
   /// True between begin_frame() and end_frame().
   bool frame_begun() const { return frame_begun_; }
-  /// Ends the frame that was begun, with a layer or, where nothing was drawn, with null. Throws OpenXrError.
-  void end_frame(const XrCompositionLayerProjection* layer);
+  /// Ends the frame that was begun, with its layers, the lowest first; none where nothing was drawn. Throws
+  /// OpenXrError.
+  void end_frame(std::span<const XrCompositionLayerBaseHeader* const> layers);
 
   /// Asks the runtime to end the session, and sees it through its last states, for as long as a runtime may take.
   /// Throws OpenXrError.
