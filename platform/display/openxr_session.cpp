@@ -47,13 +47,16 @@ OpenXrSession::OpenXrSession(const OpenXrInstance& instance, const Device& devic
     : instance_(instance),
       view_size_(find_view_size(instance)),
       blend_mode_(blend_mode),
-      session_(create(instance, device)) {}
+      session_(create(instance, device)),
+      refresh_rate_(instance, *session_) {}
 
 void OpenXrSession::take_events() {
   XrEventDataBuffer event;
   while (instance_.next_event(event)) {
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) loss_pending_ = true;
     if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) recentred_ = true;
+    if (event.type == XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB)
+      refresh_rate_.changed(reinterpret_cast<const XrEventDataDisplayRefreshRateChangedFB&>(event));
     if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
     const auto& changed = *reinterpret_cast<const XrEventDataSessionStateChanged*>(&event);
     // There may be word of a session that was let go.
@@ -99,12 +102,13 @@ XrFrameState OpenXrSession::begin_frame() {
 }
 
 // The first period is a guess of the runtime's, with no frame before it to count from. Later ones become longer where a
-// runtime gives up on a program that is late; the screen's own is the shortest.
+// runtime gives up on a program that is late; where it does not tell the screen's own, that is the shortest.
 void OpenXrSession::count_missed(const XrFrameState& frame) {
   if (count_.frames < 2 || frame.predictedDisplayPeriod <= 0) return;
   shortest_period_ = std::min(shortest_period_, frame.predictedDisplayPeriod);
+  const XrDuration period = refresh_rate_.period().value_or(shortest_period_);
   const XrDuration since = frame.predictedDisplayTime - display_time_;
-  count_.missed += std::max<std::int64_t>(0, (since + shortest_period_ / 2) / shortest_period_ - 1);
+  count_.missed += std::max<std::int64_t>(0, (since + period / 2) / period - 1);
 }
 
 void OpenXrSession::end_frame(std::span<const XrCompositionLayerBaseHeader* const> layers) {

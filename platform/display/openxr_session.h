@@ -1,6 +1,7 @@
 #pragma once
 
 #include "display/openxr_instance.h"
+#include "display/openxr_refresh_rate.h"
 #include "render/device.h"
 
 #include <limits>
@@ -66,6 +67,7 @@ class OpenXrSession {
   VkExtent2D view_size_;
   XrEnvironmentBlendMode blend_mode_;
   OpenXrOwned<XrSession, xrDestroySession> session_;
+  OpenXrRefreshRate refresh_rate_;
   bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false, recentred_ = false;
   XrTime display_time_ = 0;
   XrDuration shortest_period_ = std::numeric_limits<XrDuration>::max();
