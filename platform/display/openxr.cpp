@@ -82,10 +82,13 @@ struct OpenXrDisplay::Impl {
       return;
     }
     const XrFrameState state = seat->session.begin_frame();
-    if (seat->session.take_recentred()) head.forget();
+    for (const auto& change : seat->session.take_space_changes())
+      if (!seat->spaces.move(change)) head.forget();
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
-    if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
+    const bool located = state.shouldRender && seat->spaces.locate(state.predictedDisplayTime);
+    if (seat->spaces.take_moved()) head.use(seat->spaces.place());
+    if (!located) return;
     frame.target = seat->swapchain.acquire();
     if (!frame.target) return;
     put_views(frame);
@@ -136,7 +139,7 @@ struct OpenXrDisplay::Impl {
     }
     auto layer = typed<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
     if (world != World::camera) layer.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
-    layer.space = seat->spaces.world();
+    layer.space = seat->spaces.place().space;
     layer.viewCount = max_views;
     layer.views = views.data();
     layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer));
@@ -203,7 +206,7 @@ GpuNeeds OpenXrDisplay::needs() const {
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
   impl_->seat.emplace(impl_->instance.value(), gpu.device(), impl_->world);
-  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.world());
+  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.place());
   impl_->lost = false;
 }
 

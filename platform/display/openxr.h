@@ -7,7 +7,8 @@
 
 namespace onestroke {
 
-/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space.
+/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space as it was at the start;
+/// recentring does not move it.
 class OpenXrDisplay final : public Display {
  public:
   /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed, or does not offer

@@ -54,7 +54,8 @@ void OpenXrSession::take_events() {
   XrEventDataBuffer event;
   while (instance_.next_event(event)) {
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) loss_pending_ = true;
-    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) recentred_ = true;
+    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
+      space_changes_.push_back(reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event));
     if (event.type == XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB)
       refresh_rate_.changed(reinterpret_cast<const XrEventDataDisplayRefreshRateChangedFB&>(event));
     if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/inline_vector.h"
 #include "display/openxr_instance.h"
 #include "display/openxr_refresh_rate.h"
 #include "render/device.h"
@@ -26,8 +27,9 @@ class OpenXrSession {
   bool running() const { return running_; }
   /// True once the runtime wants no more of this session, be it that the program or the wearer asked to leave.
   bool over() const { return over_; }
-  /// True once after the wearer, or the runtime, has moved the origin of the world (a recentring).
-  bool take_recentred() { return std::exchange(recentred_, false); }
+  /// Which spaces the wearer, or the runtime, moves (a recentring), as heard since the last call.
+  using SpaceChanges = InlineVector<XrEventDataReferenceSpaceChangePending, 8>;
+  SpaceChanges take_space_changes() { return std::exchange(space_changes_, {}); }
   /// True where the runtime is about to go, or to take the session back.
   bool loss_pending() const { return loss_pending_; }
 
@@ -68,7 +70,8 @@ class OpenXrSession {
   XrEnvironmentBlendMode blend_mode_;
   OpenXrOwned<XrSession, xrDestroySession> session_;
   OpenXrRefreshRate refresh_rate_;
-  bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false, recentred_ = false;
+  bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false;
+  SpaceChanges space_changes_;
   XrTime display_time_ = 0;
   XrDuration shortest_period_ = std::numeric_limits<XrDuration>::max();
   Count count_;
