@@ -84,6 +84,19 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->type_name("SPEC")
       ->check(one_of({{"window", More::none}, {"openxr", More::none}, {"offscreen", More::must}},
                      "window, openxr or offscreen:DIR"));
+  run.add_option_function<std::string>(
+         "--world",
+         [&options](const std::string& name) {
+           options.world = static_cast<World>(std::ranges::find(world_names, name) - world_names.begin());
+         },
+         help::world)
+      ->type_name("WORLD")
+      ->check(one_of({{"auto", More::none},
+                      {"camera", More::none},
+                      {"alpha", More::none},
+                      {"additive", More::none},
+                      {"passthrough", More::none}},
+                     "auto, camera, alpha, additive or passthrough"));
   run.add_flag("--stereo", options.stereo, help::stereo);
   run.add_flag_callback(
       "--no-fingers", [&options] { options.fingers = false; }, help::no_fingers);
@@ -102,8 +115,8 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->check(number_between(1e-3, 1e6, " seconds"));
   run.add_option("--log", options.log, help::log)->type_name("FILE|none")->check(not_empty());
   auto* replay = run.add_option("--replay", options.replay, help::replay)->type_name("FILE")->check(not_empty());
-  for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--stereo", "--no-fingers", "--left-handed",
-                            "--catalog", "--mode", "--log"})
+  for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--world", "--stereo", "--no-fingers",
+                            "--left-handed", "--catalog", "--mode", "--log"})
     replay->excludes(run.get_option(fixed));
 }
 
@@ -193,6 +206,11 @@ void check_lens_known(const Program& program, const SourceOptions& options) {
   refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
 }
 
+void check_worn(const Program& program, const RunOptions& options) {
+  if (program.app.get_subcommand("run")->count("--world") == 0 || options.display == "openxr") return;
+  refuse(program, "--world " + std::string(name_of(options.world)) + " is for a headset alone: add --display openxr");
+}
+
 }  // namespace
 
 Command parse_command_line(std::vector<std::string> arguments) {
@@ -219,6 +237,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
     return program.track;
   }
   if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");
+  check_worn(program, program.run);
   if (program.run.replay.empty())
     check_lens_known(program, program.run.source);
   else if (program.app.get_subcommand("run")->count("--camera") == 0)

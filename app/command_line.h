@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/world.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,13 +18,18 @@ struct SourceOptions {
   std::optional<double> readout_ms;   ///< First row to last; unset where the camera says it or has a global shutter.
 };
 
-enum class PictureTime { exposure, fresh };
+enum class PictureTime {
+  exposure,
+  fresh,
+  seen,  ///< No picture is shown, and models stand where they will be when the frame is seen.
+};
 
 struct RunOptions {
   SourceOptions source;
   std::string
       display;  ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
   std::filesystem::path catalog;    ///< Empty for the demo's own.
+  World world = World::automatic;   ///< In a headset.
   bool stereo = false;              ///< Off-screen: a pair of eyes, side by side.
   bool left_handed = false;         ///< The left hand points, the right one holds.
   std::filesystem::path snapshots;  ///< Their folder; empty for the usual one.

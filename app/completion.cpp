@@ -9,6 +9,7 @@ namespace {
 constexpr const char* values = R"(  case "$prev" in
     --camera) COMPREPLY=($(compgen -W "synthetic file: folder:" -- "$cur")); return ;;
     --display) COMPREPLY=($(compgen -W "window openxr offscreen:" -- "$cur")); return ;;
+    --world) COMPREPLY=($(compgen -W "auto camera alpha additive passthrough" -- "$cur")); return ;;
     --mode) COMPREPLY=($(compgen -W "exposure fresh" -- "$cur")); return ;;
     --completion) COMPREPLY=($(compgen -W "bash" -- "$cur")); return ;;
     --overlay) COMPREPLY=($(compgen -d -- "$cur")); return ;;

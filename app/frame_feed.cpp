@@ -18,23 +18,31 @@ constexpr Duration near_enough = Duration::from_ms(4);
 
 }  // namespace
 
-void predict_record(const FrameRecord& from, const Picture& to, FrameRecord& predicted) {
+void predict_record(const FrameRecord& from, Time to, FrameRecord& predicted) {
   predicted = from;
+  predicted.time = to;
+  const Duration ahead = std::clamp(to - from.time, Duration{}, farthest_ahead);
+  for (int i = 0; i < predicted.marker_count; ++i) {
+    MarkerObservation& m = predicted.markers[static_cast<std::size_t>(i)];
+    m.T_camera_marker = advance(m.T_camera_marker, m.velocity, ahead);
+  }
+}
+
+void predict_record(const FrameRecord& from, const Picture& to, FrameRecord& predicted) {
+  predict_record(from, to.exposure.middle(), predicted);
   predicted.sequence = to.sequence;
-  predicted.time = to.exposure.middle();
   predicted.T_world_camera = to.T_world_camera;
-  const Duration ahead = std::clamp(predicted.time - from.time, Duration{}, farthest_ahead);
   const Pose T_now_then = inverse(to.T_world_camera) * from.T_world_camera;
   for (int i = 0; i < predicted.marker_count; ++i) {
     MarkerObservation& m = predicted.markers[static_cast<std::size_t>(i)];
-    m.T_camera_marker = T_now_then * advance(m.T_camera_marker, m.velocity, ahead);
+    m.T_camera_marker = T_now_then * m.T_camera_marker;
   }
 }
 
 FrameFeed::FrameFeed(TrackingThread& tracking, Pace pace, PictureTime mode)
     : tracking_(tracking),
       pace_(pace),
-      fresh_(mode == PictureTime::fresh && pace == Pace::newest),
+      mode_(pace == Pace::newest ? mode : PictureTime::exposure),
       tracked_(std::make_unique<FrameRecord>()),
       pending_(std::make_unique<FrameRecord>()),
       predicted_(std::make_unique<FrameRecord>()),
@@ -43,7 +51,7 @@ FrameFeed::FrameFeed(TrackingThread& tracking, Pace pace, PictureTime mode)
 FrameFeed::Next FrameFeed::advance(Time display_time, bool (*stop)()) {
   const Time before = shown_->time;
   Next next = Next::same;
-  if (pace_ == Pace::newest) next = advance_newest();
+  if (pace_ == Pace::newest) next = advance_newest(display_time);
   if (pace_ == Pace::at_its_time) next = advance_at_its_time(display_time);
   if (pace_ == Pace::each) next = advance_each(stop);
   if (shown_->time != before || next == Next::picture) {
@@ -57,7 +65,7 @@ FrameFeed::Next FrameFeed::advance(Time display_time, bool (*stop)()) {
   return next;
 }
 
-FrameFeed::Next FrameFeed::advance_newest() {
+FrameFeed::Next FrameFeed::advance_newest(Time display_time) {
   const bool finished = tracking_.finished();
   Next next = Next::same;
   tracking_.drain([&](TrackedFrame& frame) {
@@ -67,7 +75,16 @@ FrameFeed::Next FrameFeed::advance_newest() {
   });
   if (finished && next == Next::same) return Next::end;
   shown_ = tracked_.get();
-  if (!fresh_) return next;
+  if (mode_ == PictureTime::fresh) return show_newest(next);
+  if (mode_ == PictureTime::seen && display_time > tracked_->time) {
+    predict_record(*tracked_, display_time, *predicted_);
+    shown_ = predicted_.get();
+  }
+  return next;
+}
+
+/// `next` is what came out of the tracker.
+FrameFeed::Next FrameFeed::show_newest(Next next) {
   // Every picture is offered here before it is tracked, so this one is at least as new as those above.
   PictureHandle newest = tracking_.newest_picture();
   const bool other = static_cast<bool>(newest);

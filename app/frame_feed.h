@@ -9,13 +9,17 @@
 
 namespace onestroke {
 
-/// The poses of a record, carried on to a picture by their velocities, 100 ms at most.
+/// The poses of a record, carried on to a time by their velocities, 100 ms at most; seen from where the record's camera
+/// was.
+void predict_record(const FrameRecord& from, Time to, FrameRecord& predicted);
+/// As above to a picture, and seen from where its camera was.
 void predict_record(const FrameRecord& from, const Picture& to, FrameRecord& predicted);
 
 /// What is tracked while it is shown. Allocates nothing after the constructor.
 class FrameFeed final : public Feed {
  public:
-  /// `fresh` has an effect at the pace `newest` alone: elsewhere every picture is tracked before it is shown.
+  /// `fresh` and `seen` have an effect at the pace `newest` alone: elsewhere every picture is tracked before it is
+  /// shown.
   FrameFeed(TrackingThread& tracking, Pace pace, PictureTime mode);
 
   Next advance(Time display_time, bool (*stop)()) override;
@@ -28,7 +32,8 @@ class FrameFeed final : public Feed {
   std::string message() const override { return tracking_.finished() ? tracking_.message() : std::string(); }
 
  private:
-  Next advance_newest();
+  Next advance_newest(Time display_time);
+  Next show_newest(Next next);
   Next advance_at_its_time(Time display_time);
   Next advance_each(bool (*stop)());
   bool take_pending();
@@ -36,7 +41,7 @@ class FrameFeed final : public Feed {
 
   TrackingThread& tracking_;
   const Pace pace_;
-  const bool fresh_;
+  const PictureTime mode_;
   PictureHandle picture_, pending_picture_, newest_;
   std::unique_ptr<FrameRecord> tracked_, pending_, predicted_;
   const FrameRecord* shown_;

@@ -38,6 +38,11 @@ inline constexpr const char* run = "Follow the markers and show their models ove
 inline constexpr const char* display =
     "Where to show it: window, openxr (a headset) or offscreen:DIR (numbered pictures). Default: a "
     "window where there is a display, otherwise off-screen";
+inline constexpr const char* world =
+    "What is seen behind the models in a headset: camera (the camera's picture, drawn), alpha or additive (the world "
+    "itself, as the headset shows it under what is drawn), passthrough (the headset's own cameras, by "
+    "XR_FB_passthrough), auto (camera; in a headset that cannot cover the world alpha, or else additive). All but "
+    "camera draw no picture, and predict models to when they are seen. Default: auto";
 inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
 inline constexpr const char* no_fingers = "Show models before the fingers that hold their sticks";
 inline constexpr const char* left_handed =

@@ -63,7 +63,7 @@ SourceOptions source_for(SourceOptions source, bool offscreen) {
 }
 
 DisplayOptions display_options(const RunOptions& options, bool offscreen, double rate) {
-  DisplayOptions display{.rate = rate};
+  DisplayOptions display{.world = options.world, .rate = rate};
   if (!options.stereo) return display;
   if (!offscreen)
     throw UsageError(
@@ -214,7 +214,7 @@ int run_live(RunOptions options, std::ostream& out) {
   const Feed::Pace pace = pace_for(*camera, stage.offscreen);
   TrackingThread tracking(*camera, tracker,
                           pace == Feed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
-  FrameFeed feed(tracking, pace, options.mode);
+  FrameFeed feed(tracking, pace, stage.display->shows_world() ? PictureTime::seen : options.mode);
   play(stage, {feed, limits, pictures_expected(limits, *camera), log.get()}, options, out);
   if (log) finish(*log, !options.log.empty(), out);
   flush(out);

@@ -20,6 +20,7 @@ Show::Show(const Parts& parts, const ShowOptions& options)
     : parts_(parts),
       fingers_(options.fingers),
       films_(parts.feed.pace() == Feed::Pace::each),
+      shows_world_(parts.display.shows_world()),
       hands_(parts.graphics.shelf(), &parts.graphics.differences(),
              {.left_handed = options.left_handed, .worn = parts.display.tracks_head(), .wait_for_differences = films_}),
       covered_(parts.graphics.shelf()),
@@ -81,7 +82,7 @@ void Show::recover(Time now) {
   lost_at_ = now;
   parts_.graphics.rebuild();
   hands_.shelf_is_new();
-  if (picture_) parts_.graphics.renderer().set_picture(*picture_, covered_.find(parts_.feed.record(), *picture_));
+  if (picture_) show_picture();
 }
 
 bool Show::press(Key key) {
@@ -97,9 +98,15 @@ bool Show::press(Key key) {
 
 void Show::take_picture() {
   picture_ = parts_.feed.take_picture();
-  parts_.graphics.renderer().set_picture(*picture_, covered_.find(parts_.feed.record(), *picture_));
+  show_picture();
   lens_ = {picture_->width, picture_->height, picture_->intrinsics};
   T_world_camera_ = picture_->T_world_camera;
+}
+
+// Where the world is seen, the picture is for the light alone.
+void Show::show_picture() {
+  const auto covered = shows_world_ ? std::span<const CoveredCell>() : covered_.find(parts_.feed.record(), *picture_);
+  parts_.graphics.renderer().set_picture(*picture_, covered);
 }
 
 void Show::write_down(bool new_picture) {
@@ -130,11 +137,12 @@ void Show::measure(bool new_picture) {
 
 /// Of a frame that was handed to the GPU just now.
 std::optional<Latency> Show::latency_of(const FrameInfo& frame) const {
-  const FrameRecord& record = parts_.feed.record();
   // A device's pictures come with the time on the display's clock.
-  if (parts_.feed.pace() != Feed::Pace::newest || record.time.ns == 0) return std::nullopt;
+  if (parts_.feed.pace() != Feed::Pace::newest || !picture_) return std::nullopt;
+  const Time taken = picture_->exposure.middle();
+  if (taken.ns == 0) return std::nullopt;
   return Latency{
-      .tracked = record.tracked - record.time, .drawn = Time::now() - record.time, .seen = frame.time - record.time};
+      .tracked = parts_.feed.record().tracked - taken, .drawn = Time::now() - taken, .seen = frame.time - taken};
 }
 
 bool Show::draw(FrameInfo& frame, bool new_picture) {
@@ -151,6 +159,10 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   scene.fingers = fingers_;
   if (hands_.comparison().snapshot) take_snapshot(scene, frame.views[0]);
   if (desktop && hands_.words()) scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
+  if (shows_world_) {
+    scene.passthrough_distance.reset();
+    scene.background = {0, 0, 0, 0};
+  }
   const bool drawn = parts_.graphics.renderer().draw(scene, frame, parts_.display);
   latency_ = latency_of(frame);
   return drawn;

@@ -60,6 +60,7 @@ class Show {
   bool lost() const;
   void recover(Time now);
   void take_picture();
+  void show_picture();
   void write_down(bool new_picture);
   void take_snapshot(const FrameScene& scene, const View& view);
   std::string_view notice() const;
@@ -70,6 +71,7 @@ class Show {
   Parts parts_;
   const bool fingers_;
   const bool films_;  // every picture counts, and may be waited for
+  const bool shows_world_;
   TwoHands hands_;
   CoveredCells covered_;
   FrameMeter meter_;

@@ -77,6 +77,9 @@ class Display : public HeadTracker {
   virtual bool gpu_lost() const { return false; }
   /// True where views follow the wearer's head and must not be moved.
   virtual bool tracks_head() const = 0;
+  /// True where the world is seen behind what is drawn: no camera's picture is to be drawn, and where nothing is drawn
+  /// there is to be no light and no opacity. The same from the start to the end.
+  virtual bool shows_world() const { return false; }
   std::optional<Pose> head_at(Time) const override { return std::nullopt; }
 
   /// Ends the show: waits, and finishes files. Throws Error with what went wrong since attach(). Harmless when called

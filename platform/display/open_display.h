@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/display.h"
+#include "render/world.h"
 
 #include <filesystem>
 #include <memory>
@@ -14,6 +15,8 @@ struct DisplayOptions {
   int width = 1280, height = 720;
   /// Window: waits for the screen's refresh. Otherwise the newest frame wins, where the driver can do that.
   bool wait_for_screen = true;
+  /// Headset: what the wearer sees behind the models.
+  World world = World::automatic;
   /// Off-screen: see OffscreenOptions.
   double rate = 30;
   int png_every = 1;

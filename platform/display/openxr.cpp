@@ -1,7 +1,10 @@
 #include "display/openxr.h"
 
+#include "core/inline_vector.h"
+#include "display/openxr_blend.h"
 #include "display/openxr_clock.h"
 #include "display/openxr_head.h"
+#include "display/openxr_passthrough.h"
 #include "display/openxr_session.h"
 #include "display/openxr_spaces.h"
 #include "display/openxr_swapchain.h"
@@ -27,12 +30,15 @@ struct Seat {
   OpenXrSession session;
   OpenXrSpaces spaces;
   OpenXrSwapchain swapchain;
+  std::optional<OpenXrPassthrough> passthrough;
 
-  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
+  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu, World world)
       : device(std::move(gpu)),
-        session(instance, *device),
+        session(instance, *device, blend_mode_for(world)),
         spaces(session.handle()),
-        swapchain(*device, session.handle(), session.view_size()) {}
+        swapchain(*device, session.handle(), session.view_size()) {
+    if (world == World::passthrough) passthrough.emplace(instance, session.handle());
+  }
   Seat(const Seat&) = delete;
   ~Seat() { device->wait_idle(); }
 };
@@ -53,7 +59,10 @@ struct OpenXrDisplay::Impl {
   std::string failure;
   bool closed = false, lost = false;
 
-  Impl() { connect(); }
+  // What was asked for, then what was chosen, also where the runtime comes again.
+  World world;
+
+  explicit Impl(World wish) : world(wish) { connect(); }
 
   void connect() {
     instance.emplace();
@@ -61,6 +70,7 @@ struct OpenXrDisplay::Impl {
     vulkan.use(*instance);
     runtime = instance->runtime_name();
     headset = instance->headset_name();
+    world = choose_world(world_offers(*instance), world);
   }
 
   /// What to draw and for when. Leaves `should_render` false where there is nobody to see it.
@@ -72,10 +82,13 @@ struct OpenXrDisplay::Impl {
       return;
     }
     const XrFrameState state = seat->session.begin_frame();
-    if (seat->session.take_recentred()) head.forget();
+    for (const auto& change : seat->session.take_space_changes())
+      if (!seat->spaces.move(change)) head.forget();
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
-    if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
+    const bool located = state.shouldRender && seat->spaces.locate(state.predictedDisplayTime);
+    if (seat->spaces.take_moved()) head.use(seat->spaces.place());
+    if (!located) return;
     frame.target = seat->swapchain.acquire();
     if (!frame.target) return;
     put_views(frame);
@@ -106,7 +119,7 @@ struct OpenXrDisplay::Impl {
     if (frame.should_render)
       show();
     else
-      seat->session.end_frame(nullptr);
+      seat->session.end_frame({});
   }
 
   void show() {
@@ -118,11 +131,19 @@ struct OpenXrDisplay::Impl {
       views.at(i).fov = seat->spaces.eye(i).fov;
       views.at(i).subImage = seat->swapchain.part_for(i);
     }
+    InlineVector<const XrCompositionLayerBaseHeader*, 2> layers;
+    XrCompositionLayerPassthroughFB beneath;
+    if (seat->passthrough) {
+      beneath = seat->passthrough->layer();
+      layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&beneath));
+    }
     auto layer = typed<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
-    layer.space = seat->spaces.world();
+    if (world != World::camera) layer.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    layer.space = seat->spaces.place().space;
     layer.viewCount = max_views;
     layer.views = views.data();
-    seat->session.end_frame(&layer);
+    layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer));
+    seat->session.end_frame({layers.begin(), layers.size()});
   }
 
   /// Runs what may throw in the loop. A runtime that goes is waited for; any other error ends the show.
@@ -175,7 +196,7 @@ struct OpenXrDisplay::Impl {
   }
 };
 
-OpenXrDisplay::OpenXrDisplay() : impl_(std::make_unique<Impl>()) {}
+OpenXrDisplay::OpenXrDisplay(World wish) : impl_(std::make_unique<Impl>(wish)) {}
 OpenXrDisplay::~OpenXrDisplay() = default;
 
 GpuNeeds OpenXrDisplay::needs() const {
@@ -184,8 +205,8 @@ GpuNeeds OpenXrDisplay::needs() const {
 
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
-  impl_->seat.emplace(impl_->instance.value(), gpu.device());
-  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.world());
+  impl_->seat.emplace(impl_->instance.value(), gpu.device(), impl_->world);
+  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.place());
   impl_->lost = false;
 }
 
@@ -214,6 +235,10 @@ std::span<const Key> OpenXrDisplay::poll() {
 
 bool OpenXrDisplay::closed() const {
   return impl_->closed || (impl_->seat && impl_->seat->session.over());
+}
+
+bool OpenXrDisplay::shows_world() const {
+  return impl_->world != World::camera;
 }
 
 std::optional<Pose> OpenXrDisplay::head_at(Time time) const {

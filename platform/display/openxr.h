@@ -1,16 +1,19 @@
 #pragma once
 
 #include "render/display.h"
+#include "render/world.h"
 
 #include <memory>
 
 namespace onestroke {
 
-/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space.
+/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space as it was at the start;
+/// recentring does not move it.
 class OpenXrDisplay final : public Display {
  public:
-  /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed.
-  OpenXrDisplay();
+  /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed, or does not offer
+  /// what is asked for.
+  explicit OpenXrDisplay(World wish = World::automatic);
   ~OpenXrDisplay() override;
 
   GpuNeeds needs() const override;
@@ -25,6 +28,7 @@ class OpenXrDisplay final : public Display {
   /// Also where the runtime went away, once it is back: the Gpu was made through it.
   bool gpu_lost() const override;
   bool tracks_head() const override { return true; }
+  bool shows_world() const override;
   std::optional<Pose> head_at(Time time) const override;
   void finish() override;
   std::vector<std::string> report() const override;

@@ -1,6 +1,5 @@
 #include "display/openxr_head.h"
 
-#include "display/openxr_spaces.h"
 #include "scene/frames.h"
 
 #include <pthread.h>
@@ -30,13 +29,24 @@ Vec3 vector_of(const XrVector3f& v) {
 
 OpenXrHead::OpenXrHead() : history_(remembered) {}
 
-void OpenXrHead::attach(const OpenXrClock& clock, XrSession session, XrSpace world) {
+void OpenXrHead::attach(const OpenXrClock& clock, XrSession session, const OpenXrPlace& place) {
   detach();
-  source_.emplace(clock, make_space(session, XR_REFERENCE_SPACE_TYPE_VIEW), world);
+  use(place);
+  source_.emplace(clock, make_space(session, XR_REFERENCE_SPACE_TYPE_VIEW));
   follower_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "head");
     follow(stop);
   });
+}
+
+void OpenXrHead::use(const OpenXrPlace& place) {
+  const std::scoped_lock lock(asking_);
+  place_ = place;
+}
+
+OpenXrPlace OpenXrHead::place() const {
+  const std::scoped_lock lock(asking_);
+  return place_;
 }
 
 void OpenXrHead::detach() {
@@ -62,8 +72,10 @@ void OpenXrHead::sample() {
   auto velocity = typed<XrSpaceVelocity>(XR_TYPE_SPACE_VELOCITY);
   auto location = typed<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
   location.next = &velocity;
+  const OpenXrPlace around = place();
   const Time now = Time::now();
-  check(xrLocateSpace(*source_->head, source_->world, source_->clock.to_runtime(now), &location),
+  const XrTime now_runtime = source_->clock.to_runtime(now);
+  check(xrLocateSpace(*source_->head, around.space, now_runtime, &location),
         "the OpenXR runtime does not say where the head is");
   if ((location.locationFlags & needed) != needed || Time::now() - now > longest_answer) return;
   // Not every runtime tells how fast the head moves.
@@ -71,8 +83,13 @@ void OpenXrHead::sample() {
   if ((velocity.velocityFlags & both) == both)
     moving = {.angular = direction_from_graphics(vector_of(velocity.angularVelocity)),
               .linear = direction_from_graphics(vector_of(velocity.linearVelocity)) / metres_per_millimetre};
+  const Pose& T_world_space = around.world.T_world_space(now_runtime);
+  if (moving) {
+    moving->angular = rotate(T_world_space.rotation, moving->angular);
+    moving->linear = rotate(T_world_space.rotation, moving->linear);
+  }
   const std::scoped_lock lock(asking_);
-  history_.add(now, pose_of(location.pose), moving);
+  history_.add(now, T_world_space * pose_of(location.pose), moving);
 }
 
 std::optional<Pose> OpenXrHead::at(Time time) const {

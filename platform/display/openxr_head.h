@@ -2,6 +2,7 @@
 
 #include "core/pose_history.h"
 #include "display/openxr_clock.h"
+#include "display/openxr_spaces.h"
 
 #include <mutex>
 #include <optional>
@@ -16,8 +17,10 @@ class OpenXrHead {
   OpenXrHead();
   ~OpenXrHead() { detach(); }
 
-  /// Begins to follow the head. Clock, session and world outlive detach(). Throws OpenXrError.
-  void attach(const OpenXrClock& clock, XrSession session, XrSpace world);
+  /// Begins to follow the head. Clock and session, and the place's space, outlive detach(). Throws OpenXrError.
+  void attach(const OpenXrClock& clock, XrSession session, const OpenXrPlace& place);
+  /// Another place to ask in; what is remembered still holds.
+  void use(const OpenXrPlace& place);
   /// Ends that, and forgets.
   void detach();
   /// The world has moved: what was remembered holds no more.
@@ -30,17 +33,17 @@ class OpenXrHead {
   struct Source {
     const OpenXrClock& clock;
     OpenXrOwned<XrSpace, xrDestroySpace> head;
-    XrSpace world;
 
-    Source(const OpenXrClock& runtime_clock, XrSpace view, XrSpace around)
-        : clock(runtime_clock), head(view), world(around) {}
+    Source(const OpenXrClock& runtime_clock, XrSpace view) : clock(runtime_clock), head(view) {}
   };
 
   void follow(const std::stop_token& stop) noexcept;
   void sample();
+  OpenXrPlace place() const;
 
   std::optional<Source> source_;  // constant while the thread below lives
-  mutable std::mutex asking_;     // over the history
+  mutable std::mutex asking_;     // over the two below
+  OpenXrPlace place_;
   PoseHistory history_;
   std::jthread follower_;
 };

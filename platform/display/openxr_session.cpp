@@ -26,20 +26,6 @@ VkExtent2D find_view_size(const OpenXrInstance& instance) {
           std::max(views[0].recommendedImageRectHeight, views[1].recommendedImageRectHeight)};
 }
 
-/// Opaque, for the world comes from our camera; a see-through headset has none, and shows what it can.
-XrEnvironmentBlendMode choose_blend_mode(const OpenXrInstance& instance) {
-  constexpr const char* doing = "the headset does not say how it shows the world: update its runtime";
-  std::uint32_t count = 0;
-  check(xrEnumerateEnvironmentBlendModes(instance.handle(), instance.headset(), view_kind, 0, &count, nullptr), doing);
-  std::vector<XrEnvironmentBlendMode> offers(count);
-  check(
-      xrEnumerateEnvironmentBlendModes(instance.handle(), instance.headset(), view_kind, count, &count, offers.data()),
-      doing);
-  if (offers.empty()) throw Error(doing);
-  const bool opaque = std::find(offers.begin(), offers.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != offers.end();
-  return opaque ? XR_ENVIRONMENT_BLEND_MODE_OPAQUE : offers.front();
-}
-
 XrSession create(const OpenXrInstance& instance, const Device& device) {
   auto graphics = typed<XrGraphicsBindingVulkan2KHR>(XR_TYPE_GRAPHICS_BINDING_VULKAN2_KHR);
   graphics.instance = *device.instance();
@@ -57,17 +43,21 @@ XrSession create(const OpenXrInstance& instance, const Device& device) {
 
 }  // namespace
 
-OpenXrSession::OpenXrSession(const OpenXrInstance& instance, const Device& device)
+OpenXrSession::OpenXrSession(const OpenXrInstance& instance, const Device& device, XrEnvironmentBlendMode blend_mode)
     : instance_(instance),
       view_size_(find_view_size(instance)),
-      blend_mode_(choose_blend_mode(instance)),
-      session_(create(instance, device)) {}
+      blend_mode_(blend_mode),
+      session_(create(instance, device)),
+      refresh_rate_(instance, *session_) {}
 
 void OpenXrSession::take_events() {
   XrEventDataBuffer event;
   while (instance_.next_event(event)) {
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) loss_pending_ = true;
-    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) recentred_ = true;
+    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
+      space_changes_.push_back(reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event));
+    if (event.type == XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB)
+      refresh_rate_.changed(reinterpret_cast<const XrEventDataDisplayRefreshRateChangedFB&>(event));
     if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
     const auto& changed = *reinterpret_cast<const XrEventDataSessionStateChanged*>(&event);
     // There may be word of a session that was let go.
@@ -114,36 +104,36 @@ XrFrameState OpenXrSession::begin_frame() {
 }
 
 // The first period is a guess of the runtime's, with no frame before it to count from. Later ones become longer where a
-// runtime gives up on a program that is late; the screen's own is the shortest.
+// runtime gives up on a program that is late; where it does not tell the screen's own, that is the shortest.
 void OpenXrSession::count_missed(const XrFrameState& frame) {
   if (count_.frames < 2 || frame.predictedDisplayPeriod <= 0) return;
   shortest_period_ = std::min(shortest_period_, frame.predictedDisplayPeriod);
+  const XrDuration period = refresh_rate_.period().value_or(shortest_period_);
   const XrDuration since = frame.predictedDisplayTime - display_time_;
-  count_.missed += std::max<std::int64_t>(0, (since + shortest_period_ / 2) / shortest_period_ - 1);
+  count_.missed += std::max<std::int64_t>(0, (since + period / 2) / period - 1);
 }
 
-void OpenXrSession::end_frame(const XrCompositionLayerProjection* layer) {
-  const auto* layers = reinterpret_cast<const XrCompositionLayerBaseHeader*>(layer);
+void OpenXrSession::end_frame(std::span<const XrCompositionLayerBaseHeader* const> layers) {
   auto info = typed<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = display_time_;
   info.environmentBlendMode = blend_mode_;
-  info.layerCount = layer ? 1 : 0;
-  info.layers = layer ? &layers : nullptr;
+  info.layerCount = static_cast<std::uint32_t>(layers.size());
+  info.layers = layers.data();
   frame_begun_ = false;
   if (layer && (Time::now() - begun_).ns > shortest_period_) ++count_.slow;
   check(xrEndFrame(*session_, &info), "the OpenXR runtime does not show a frame");
-  if (layer) ++count_.seen;
+  if (!layers.empty()) ++count_.seen;
 }
 
 void OpenXrSession::leave() {
   if (!running_) return;
-  if (frame_begun_) end_frame(nullptr);
+  if (frame_begun_) end_frame({});
   check(xrRequestExitSession(*session_), "the OpenXR runtime does not let the session end");
   for (const Time until = Time::now() + longest_leave; !over_ && Time::now() < until; take_events()) {
     // A runtime may want frames until it stops the session.
     if (running_) {
       begin_frame();
-      end_frame(nullptr);
+      end_frame({});
     } else {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

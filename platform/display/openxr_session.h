@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/inline_vector.h"
 #include "core/time.h"
 #include "display/openxr_instance.h"
+#include "display/openxr_refresh_rate.h"
 #include "render/device.h"
 
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace onestroke {
@@ -13,7 +16,7 @@ namespace onestroke {
 class OpenXrSession {
  public:
   /// Instance and device outlive this; the device was made through OpenXrVulkan. Throws OpenXrError.
-  OpenXrSession(const OpenXrInstance& instance, const Device& device);
+  OpenXrSession(const OpenXrInstance& instance, const Device& device, XrEnvironmentBlendMode blend_mode);
 
   XrSession handle() const { return *session_; }
   /// What each eye's image should measure, pixels.
@@ -25,8 +28,9 @@ class OpenXrSession {
   bool running() const { return running_; }
   /// True once the runtime wants no more of this session, be it that the program or the wearer asked to leave.
   bool over() const { return over_; }
-  /// True once after the wearer, or the runtime, has moved the origin of the world (a recentring).
-  bool take_recentred() { return std::exchange(recentred_, false); }
+  /// Which spaces the wearer, or the runtime, moves (a recentring), as heard since the last call.
+  using SpaceChanges = InlineVector<XrEventDataReferenceSpaceChangePending, 8>;
+  SpaceChanges take_space_changes() { return std::exchange(space_changes_, {}); }
   /// True where the runtime is about to go, or to take the session back.
   bool loss_pending() const { return loss_pending_; }
 
@@ -36,8 +40,9 @@ class OpenXrSession {
   XrTime display_time() const { return display_time_; }
   /// True between begin_frame() and end_frame().
   bool frame_begun() const { return frame_begun_; }
-  /// Ends the frame that was begun, with a layer or, where nothing was drawn, with null. Throws OpenXrError.
-  void end_frame(const XrCompositionLayerProjection* layer);
+  /// Ends the frame that was begun, with its layers, the lowest first; none where nothing was drawn. Throws
+  /// OpenXrError.
+  void end_frame(std::span<const XrCompositionLayerBaseHeader* const> layers);
 
   /// Asks the runtime to end the session, and sees it through its last states, for as long as a runtime may take.
   /// Throws OpenXrError.
@@ -67,7 +72,9 @@ class OpenXrSession {
   VkExtent2D view_size_;
   XrEnvironmentBlendMode blend_mode_;
   OpenXrOwned<XrSession, xrDestroySession> session_;
-  bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false, recentred_ = false;
+  OpenXrRefreshRate refresh_rate_;
+  bool running_ = false, over_ = false, loss_pending_ = false, frame_begun_ = false;
+  SpaceChanges space_changes_;
   XrTime display_time_ = 0;
   Time begun_;
   XrDuration shortest_period_ = std::numeric_limits<XrDuration>::max();

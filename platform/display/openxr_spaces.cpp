@@ -2,7 +2,9 @@
 
 #include "scene/frames.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace onestroke {
 
@@ -16,6 +18,17 @@ Vec3 vector_of(const XrVector3f& v) {
 }
 XrVector3f xr_vector(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Null where the runtime has none.
+XrSpace make_stage(XrSession session) {
+  constexpr const char* doing = "the OpenXR runtime does not say what it follows the head in: update it";
+  std::uint32_t count = 0;
+  check(xrEnumerateReferenceSpaces(session, 0, &count, nullptr), doing);
+  std::vector<XrReferenceSpaceType> kinds(count);
+  check(xrEnumerateReferenceSpaces(session, count, &count, kinds.data()), doing);
+  const bool offered = std::ranges::find(kinds, XR_REFERENCE_SPACE_TYPE_STAGE) != kinds.end();
+  return offered ? make_space(session, XR_REFERENCE_SPACE_TYPE_STAGE) : XR_NULL_HANDLE;
 }
 
 }  // namespace
@@ -34,15 +47,45 @@ Pose pose_of(const XrPosef& pose) {
 }
 
 OpenXrSpaces::OpenXrSpaces(XrSession session)
-    : session_(session), world_(make_space(session, XR_REFERENCE_SPACE_TYPE_LOCAL)) {
+    : session_(session),
+      local_(make_space(session, XR_REFERENCE_SPACE_TYPE_LOCAL)),
+      stage_(make_stage(session)),
+      place_{*local_, {}} {
   eyes_.fill(typed<XrView>(XR_TYPE_VIEW));
 }
 
+bool OpenXrSpaces::move(const XrEventDataReferenceSpaceChangePending& change) {
+  if (change.referenceSpaceType != kind_) return true;
+  if (!change.poseValid) return false;
+  place_.world.move(change.changeTime, pose_of(change.poseInPreviousSpace));
+  return moved_ = true;
+}
+
 bool OpenXrSpaces::locate(XrTime time) {
+  if (!locate_in_space(time)) return false;
+  if (!settled_ && settle_in_stage(time) && !locate_in_space(time)) return false;
+  settled_ = true;
+  time_ = time;
+  return true;
+}
+
+bool OpenXrSpaces::settle_in_stage(XrTime time) {
+  if (*stage_ == XR_NULL_HANDLE) return false;
+  auto location = typed<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
+  check(xrLocateSpace(*local_, *stage_, time, &location), "the OpenXR runtime does not say where its spaces are");
+  constexpr auto both = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+  if ((location.locationFlags & both) != both) return false;
+  place_.world.place(place_.world.T_world_space(time) * inverse(pose_of(location.pose)));
+  place_.space = *stage_;
+  kind_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+  return moved_ = true;
+}
+
+bool OpenXrSpaces::locate_in_space(XrTime time) {
   auto info = typed<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
   info.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
   info.displayTime = time;
-  info.space = *world_;
+  info.space = place_.space;
   auto state = typed<XrViewState>(XR_TYPE_VIEW_STATE);
   std::uint32_t count = 0;
   check(xrLocateViews(session_, &info, &state, static_cast<std::uint32_t>(eyes_.size()), &count, eyes_.data()),
@@ -66,7 +109,7 @@ void OpenXrSpaces::keep_place() {
 
 View OpenXrSpaces::view(std::size_t i) const {
   const XrView& eye = eyes_.at(i);
-  return {.T_world_view = pose_of(eye.pose),
+  return {.T_world_view = place_.world.T_world_space(time_) * pose_of(eye.pose),
           .fov = {.left = std::tan(double{eye.fov.angleLeft}),
                   .right = std::tan(double{eye.fov.angleRight}),
                   .up = std::tan(double{eye.fov.angleUp}),

@@ -71,6 +71,15 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.seconds, 2.5);
 }
 
+TEST(CommandLine, RunAsksAHeadsetForAWorld) {
+  EXPECT_EQ(parsed<RunOptions>("run --display openxr").world, World::automatic);
+  for (std::size_t i = 0; i < world_names.size(); ++i)
+    EXPECT_EQ(parsed<RunOptions>("run --display openxr --world " + std::string(world_names[i])).world,
+              static_cast<World>(i));
+  for (const char* line : {"run --world alpha", "run --world alpha --display window"})
+    EXPECT_THAT(refusal(line), HasSubstr("--world alpha is for a headset alone: add --display openxr; see"));
+}
+
 TEST(CommandLine, RunWritesASessionDownOrShowsItAgain) {
   EXPECT_EQ(parsed<RunOptions>("run").log, "");
   EXPECT_EQ(parsed<RunOptions>("run --log none").log, "none");
@@ -79,8 +88,8 @@ TEST(CommandLine, RunWritesASessionDownOrShowsItAgain) {
   EXPECT_EQ(again.replay, "a.jsonl");
   EXPECT_EQ(again.source.camera, "") << "the log knows";
   EXPECT_EQ(parsed<RunOptions>("run --replay a.jsonl --camera file:b.mp4").source.camera, "file:b.mp4");
-  for (const std::string fixed : {"--fov 60", "--calibration l.yaml", "--readout-ms 3", "--stereo", "--no-fingers",
-                                  "--catalog c.db", "--mode fresh", "--log b.jsonl"})
+  for (const std::string fixed : {"--fov 60", "--calibration l.yaml", "--readout-ms 3", "--world camera", "--stereo",
+                                  "--no-fingers", "--catalog c.db", "--mode fresh", "--log b.jsonl"})
     EXPECT_THAT(refusal("run --replay a.jsonl " + fixed),
                 AllOf(HasSubstr(fixed.substr(0, fixed.find(' ')) + " excludes --replay"), HasSubstr("run --help")));
 }
@@ -145,6 +154,9 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "run --display offscreen",
                          "run --display window:2",
                          "run --display openxr:2",
+                         "run --display openxr --world",
+                         "run --display openxr --world blue",
+                         "run --world auto",
                          "run --gpu",
                          "run --gpu=",
                          "run --mode slow",

@@ -117,6 +117,75 @@ TEST_F(FeedTest, FreshShowsAPictureAtMostAsOldAsItsRecord) {
   EXPECT_EQ(shown, at_ms(1990)) << "the last picture of all";
 }
 
+TEST_F(FeedTest, WhatIsSeenThroughShowsTheTimeItIsSeenAt) {
+  start(200, TrackingThread::Pacing::newest);
+  FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::seen);
+  for (double ms = 3000;; ms += 1) {
+    const Next next = feed.advance(at_ms(ms), never);
+    if (next == Next::end) break;
+    EXPECT_EQ(feed.record().time, at_ms(ms)) << "also between pictures";
+    EXPECT_EQ(feed.now(), at_ms(ms));
+    if (next == Next::picture) {
+      EXPECT_EQ(feed.take_picture()->sequence, feed.record().sequence);
+    }
+  }
+}
+
+TEST_F(FeedTest, WhatIsSeenThroughNeverGoesBackToBeforeItsPicture) {
+  start(3, TrackingThread::Pacing::newest);
+  FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::seen);
+  while (until_not_same(feed, at_ms(-1000)) != Next::end)
+    EXPECT_EQ(feed.record().time, feed.take_picture()->exposure.middle());
+}
+
+FrameRecord moving_record() {
+  FrameRecord record;
+  record.sequence = 4;
+  record.time = at_ms(1000);
+  record.T_world_camera = {exp_so3({0, 0.3, 0}), {10, 20, 30}};
+  record.marker_count = 2;
+  for (MarkerObservation& m : record.markers) m.state = MarkerState::measured;
+  record.markers[0].T_camera_marker = {exp_so3({0.1, 0.2, 0.3}), {5, 6, 400}};
+  record.markers[0].velocity = {{0.7, -1.1, 2}, {100, 0, -50}};
+  record.markers[1].T_camera_marker = {exp_so3({0, 0, 1}), {-50, 0, 500}};
+  return record;
+}
+
+/// Where a marker of constant world velocity is, from what the record says of it at its own time.
+Pose moved(const FrameRecord& record, const MarkerObservation& m, double seconds) {
+  const Pose world = record.T_world_camera * m.T_camera_marker;
+  const Quat turn = record.T_world_camera.rotation;
+  return {exp_so3(seconds * rotate(turn, m.velocity.angular)) * world.rotation,
+          world.translation + seconds * rotate(turn, m.velocity.linear)};
+}
+
+TEST(PredictRecord, AMarkerOfConstantVelocityIsWhereItWillBe) {
+  const FrameRecord from = moving_record();
+  FrameRecord predicted;
+  for (const double ms : {0.0, 1.0, 16.7, 60.0, 100.0}) {
+    predict_record(from, at_ms(1000 + ms), predicted);
+    EXPECT_EQ(predicted.time, at_ms(1000 + ms));
+    EXPECT_EQ(predicted.sequence, from.sequence);
+    EXPECT_EQ(predicted.T_world_camera.translation, from.T_world_camera.translation) << "of the picture";
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Pose world = predicted.T_world_camera * predicted.markers[i].T_camera_marker;
+      const Pose truth = moved(from, from.markers[i], ms / 1000);
+      EXPECT_NEAR(norm(world.translation - truth.translation), 0, 1e-9) << ms;
+      EXPECT_NEAR(angle_between(world.rotation, truth.rotation), 0, 1e-7) << ms;
+    }
+  }
+}
+
+TEST(PredictRecord, NothingIsCarriedFartherThanATenthOfASecondOrBack) {
+  const FrameRecord from = moving_record();
+  FrameRecord predicted;
+  predict_record(from, at_ms(9000), predicted);
+  EXPECT_EQ(predicted.time, at_ms(9000));
+  EXPECT_NEAR(norm(predicted.markers[0].T_camera_marker.translation - Vec3{15, 6, 395}), 0, 1e-9);
+  predict_record(from, at_ms(900), predicted);
+  EXPECT_EQ(predicted.markers[0].T_camera_marker.translation, from.markers[0].T_camera_marker.translation);
+}
+
 TEST(PredictRecord, CarriesMarkersOnByTheirVelocities) {
   FrameRecord from;
   from.time = at_ms(1000);
