@@ -62,7 +62,7 @@ SourceOptions source_for(SourceOptions source, bool offscreen) {
 }
 
 DisplayOptions display_options(const RunOptions& options, bool offscreen, double rate) {
-  DisplayOptions display{.rate = rate};
+  DisplayOptions display{.mirror = options.mirror, .rate = rate};
   if (!options.stereo) return display;
   if (!offscreen)
     throw UsageError(

@@ -14,6 +14,8 @@ struct DisplayOptions {
   int width = 1280, height = 720;
   /// Window: waits for the screen's refresh. Otherwise the newest frame wins, where the driver can do that.
   bool wait_for_screen = true;
+  /// Headset: see OpenXrOptions.
+  bool mirror = true;
   /// Off-screen: see OffscreenOptions.
   double rate = 30;
   int png_every = 1;

@@ -2,6 +2,7 @@
 
 #include "display/openxr_clock.h"
 #include "display/openxr_head.h"
+#include "display/openxr_mirror.h"
 #include "display/openxr_session.h"
 #include "display/openxr_spaces.h"
 #include "display/openxr_swapchain.h"
@@ -29,12 +30,12 @@ struct Seat {
   OpenXrHead head;
   OpenXrSwapchain swapchain;
 
-  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
+  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu, bool mirrored)
       : device(std::move(gpu)),
         session(instance, *device),
         spaces(session.handle()),
         head(session.handle()),
-        swapchain(*device, session.handle(), session.view_size()) {}
+        swapchain(*device, session.handle(), session.view_size(), mirrored) {}
   Seat(const Seat&) = delete;
   ~Seat() { device->wait_idle(); }
 };
@@ -47,6 +48,7 @@ struct OpenXrDisplay::Impl {
   std::optional<OpenXrClock> clock;
   OpenXrVulkan vulkan;
   std::string runtime, headset;
+  std::unique_ptr<OpenXrMirror> mirror;  // null for none
   // None before attach(), and from a loss to the next attach().
   std::optional<Seat> seat;
   OpenXrSession::Count count;
@@ -54,7 +56,11 @@ struct OpenXrDisplay::Impl {
   std::string failure;
   bool closed = false, lost = false;
 
-  Impl() { connect(); }
+  explicit Impl(const OpenXrOptions& options) {
+    connect();
+    if (options.mirror) mirror = open_mirror(options.title);
+    if (mirror) vulkan.want_windows();
+  }
 
   void connect() {
     instance.emplace();
@@ -91,12 +97,14 @@ struct OpenXrDisplay::Impl {
   void end(const FrameInfo& frame) {
     if (!seat || !seat->session.frame_begun()) return;
     if (frame.should_render)
-      show();
+      show(*frame.target);
     else
       seat->session.end_frame(nullptr);
+    if (mirror) mirror->show();
   }
 
-  void show() {
+  void show(const RenderTarget& drawn) {
+    if (mirror) mirror->copy(drawn);
     seat->swapchain.release();
     std::array<XrCompositionLayerProjectionView, max_views> views;
     for (std::uint32_t i = 0; i < max_views; ++i) {
@@ -156,21 +164,25 @@ struct OpenXrDisplay::Impl {
   }
 
   void let_go() {
+    if (mirror) mirror->let_go();
     if (seat) count += seat->session.count();
     seat.reset();
   }
 };
 
-OpenXrDisplay::OpenXrDisplay() : impl_(std::make_unique<Impl>()) {}
+OpenXrDisplay::OpenXrDisplay(const OpenXrOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 OpenXrDisplay::~OpenXrDisplay() = default;
 
 GpuNeeds OpenXrDisplay::needs() const {
-  return {.hooks = &impl_->vulkan};
+  return {.instance_extensions = impl_->mirror ? impl_->mirror->instance_extensions() : std::vector<std::string>(),
+          .hooks = &impl_->vulkan};
 }
 
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
-  impl_->seat.emplace(impl_->instance.value(), gpu.device());
+  impl_->seat.emplace(impl_->instance.value(), gpu.device(), impl_->mirror != nullptr);
+  const VkExtent2D eye = impl_->seat->session.view_size();
+  if (impl_->mirror) impl_->mirror->attach(gpu.device(), impl_->vulkan.shows_windows(), eye);
   impl_->lost = false;
 }
 
@@ -190,7 +202,7 @@ std::span<const Key> OpenXrDisplay::poll() {
   impl_->guard([this] {
     if (impl_->seat) impl_->seat->session.take_events();
   });
-  return {};
+  return impl_->mirror ? impl_->mirror->poll() : std::span<const Key>();
 }
 
 bool OpenXrDisplay::closed() const {

@@ -6,11 +6,18 @@
 
 namespace onestroke {
 
+struct OpenXrOptions {
+  std::string title = "onestroke";
+  /// A window beside the headset that shows the left eye's picture and hears keys, where there is a screen. The display
+  /// then must be made by the program's main thread.
+  bool mirror = false;
+};
+
 /// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space.
 class OpenXrDisplay final : public Display {
  public:
   /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed.
-  OpenXrDisplay();
+  explicit OpenXrDisplay(const OpenXrOptions& options = {});
   ~OpenXrDisplay() override;
 
   GpuNeeds needs() const override;

@@ -1,98 +1,22 @@
 // The headset's display on a runtime that nobody here wrote: Monado with its
 // simulated headset. CMake runs this with with_monado.
-#include "core/error.h"
-#include "display/openxr.h"
-#include "golden/solids.h"
-#include "golden/stage.h"
-#include "render/target.h"
+#include "headset/headset.h"
 
-#include <X11/Xlib.h>
-#include <X11/Xutil.h>
+#include "core/error.h"
+#include "desktop/x_server.h"
+
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <csignal>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <iostream>
-#include <optional>
 #include <thread>
 
 namespace onestroke {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr Duration longest_show = Duration::from_seconds(150);
-
-/// What this thread has used so far.
-Duration cpu_time() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return {std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec};
-}
-
-template <typename T>
-T median_of(std::vector<T> values) {
-  std::ranges::sort(values);
-  return values.at(values.size() / 2);
-}
-
-class Headset : public testing::Test {
- protected:
-  void SetUp() override {
-    display.emplace();
-    start();
-  }
-  /// Brings the headset a GPU.
-  void start() {
-    renderer.reset();
-    Gpu gpu({.needs = display->needs(), .validation = true, .validation_messages = &validation_messages});
-    display->attach(gpu);
-    renderer.emplace(gpu);
-    ring = renderer->load(golden::torus(0.05F, 0.02F, {}));
-  }
-  void TearDown() override {
-    if (display) display->finish();
-    renderer.reset();
-    display.reset();
-    EXPECT_EQ(validation_messages, 0);
-  }
-
-  /// Shows so many frames of a ring before a colour, and keeps what the display
-  /// said of each.
-  void show(std::size_t frames, const Color& color = {}) {
-    const std::array instances{
-        ModelInstance{.model = ring, .world_graphics_from_model = golden::placed(0, 0, -0.4F, 0, 0)}};
-    const Time until = Time::now() + longest_show;
-    shown.clear();
-    ahead.clear();
-    cpu.clear();
-    while (shown.size() < frames && Time::now() < until && !display->closed()) {
-      display->poll();
-      const Duration cpu_begun = cpu_time();
-      FrameInfo frame;
-      display->begin(frame);
-      const Time begun = Time::now();
-      if (frame.should_render) {
-        ASSERT_TRUE(renderer->draw({.background = color, .instances = instances}, frame)) << renderer->failure();
-        shown.push_back(frame);
-        ahead.push_back(frame.time - begun);
-      }
-      display->end(frame);
-      if (frame.should_render) cpu.push_back(cpu_time() - cpu_begun);
-    }
-    ASSERT_EQ(shown.size(), frames) << "closed: " << display->closed();
-  }
-
-  std::atomic<int> validation_messages{0};
-  std::optional<OpenXrDisplay> display;
-  std::optional<Renderer> renderer;
-  ModelHandle ring;
-  std::vector<FrameInfo> shown;
-  std::vector<Duration> ahead, cpu;
-};
 
 using AnyHead = Headset;
 using OtherProgram = Headset;
@@ -249,25 +173,14 @@ TEST_F(WobblingHead, ViewsMoveSmoothly) {
   EXPECT_LT(longest_step, 1000) << "mm/s";
 }
 
-/// A pixel of the screen that Monado's window fills, sRGB.
-std::array<int, 3> screen_pixel(int x, int y) {
-  ::Display* server = XOpenDisplay(std::getenv("MONADO_DISPLAY"));
-  EXPECT_TRUE(server);
-  if (!server) return {};
-  XImage* image = XGetImage(server, DefaultRootWindow(server), x, y, 1, 1, AllPlanes, ZPixmap);
-  EXPECT_TRUE(image);
-  const unsigned long p = image ? XGetPixel(image, 0, 0) : 0;
-  if (image) XDestroyImage(image);
-  XCloseDisplay(server);
-  return {static_cast<int>(p >> 16 & 255), static_cast<int>(p >> 8 & 255), static_cast<int>(p & 255)};
-}
-
 TEST_F(Window, BothEyesSeeWhatWasDrawn) {
   show(30, {0.5F, 0.2F, 0.05F, 1});
   // sRGB of the linear colour.
   const std::array expected{188, 124, 63};
+  const test::XServer screen(std::getenv("MONADO_DISPLAY"));
+  ASSERT_TRUE(screen.answers());
   for (const int x : {100, 740}) {
-    const auto seen = screen_pixel(x, 80);
+    const auto seen = screen.pixel(screen.root(), x, 80);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(seen.at(i), expected.at(i), 2) << "at " << x << ", channel " << i;
   }
 }
