@@ -16,7 +16,7 @@ namespace onestroke {
 namespace {
 
 constexpr Duration between_pictures = Duration::from_seconds(1.0 / 30);
-constexpr int height_at_first = 720;
+constexpr int most_height_at_first = 720;
 // A window that is being dragged to another size gets images of that size when it has kept it for so long. What was
 // shown before is done with by then, which nothing tells.
 constexpr Duration settled_after = Duration::from_ms(200);
@@ -153,14 +153,15 @@ struct OpenXrMirror::Impl {
   bool shown = false, over = false;
 
   explicit Impl(const std::string& title)
-      : window({.title = title, .width = height_at_first, .height = height_at_first, .hidden = true}) {}
+      : window({.title = title, .width = most_height_at_first, .height = most_height_at_first, .hidden = true}) {}
 
   void open(std::shared_ptr<Device> device, VkExtent2D eye) {
     vk::raii::SurfaceKHR surface = window.make_surface(device->instance());
     if (!device->physical().getSurfaceSupportKHR(device->queue_family(), *surface))
       throw Error("the headset's GPU \"" + device->name() + "\" cannot show on this desktop");
     if (!shown) {
-      window.resize(height_at_first * static_cast<int>(eye.width) / static_cast<int>(eye.height), height_at_first);
+      const int height = std::min(static_cast<int>(eye.height), most_height_at_first);
+      window.resize(height * static_cast<int>(eye.width) / static_cast<int>(eye.height), height);
       window.show();
       shown = true;
     }

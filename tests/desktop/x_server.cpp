@@ -93,6 +93,11 @@ void XServer::resize(Window window, int width, int height) {
   XSync(impl_->display, False);
 }
 
+void XServer::raise(Window window) {
+  XRaiseWindow(impl_->display, window);
+  XSync(impl_->display, False);
+}
+
 void XServer::minimise(Window window) {
   impl_->set_state(window, IconicState);
   XUnmapWindow(impl_->display, window);

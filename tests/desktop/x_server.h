@@ -29,6 +29,8 @@ class XServer {
   /// As by the button in its title bar.
   void close(Window window);
   void resize(Window window, int width, int height);
+  /// Before all other windows.
+  void raise(Window window);
   /// What a window manager does, of which there need be none.
   void minimise(Window window);
   void restore(Window window);

@@ -43,7 +43,7 @@ class Headset : public testing::Test {
   /// Brings the headset a GPU.
   void start() {
     renderer.reset();
-    Gpu gpu({.needs = display->needs(), .validation = true, .validation_messages = &validation_messages});
+    Gpu gpu({.needs = display->needs(), .validation = validation, .validation_messages = &validation_messages});
     display->attach(gpu);
     renderer.emplace(gpu);
     ring = renderer->load(golden::torus(0.05F, 0.02F, {}));
@@ -82,6 +82,7 @@ class Headset : public testing::Test {
   }
 
   OpenXrOptions options;
+  bool validation = true;
   std::atomic<int> validation_messages{0};
   std::optional<OpenXrDisplay> display;
   std::optional<Renderer> renderer;

@@ -55,6 +55,8 @@ class Mirror : public Headset {
   bool appears(const Rgb& wanted, const Color& color, int x = 5, int y = 5) {
     for (int i = 0; i < 60; ++i) {
       show(5, color);
+      // Monado's own window fills the screen, and comes later.
+      server->raise(window());
       if (alike(pixel(x, y), wanted)) return true;
     }
     return false;
@@ -77,7 +79,7 @@ TEST_F(Mirror, ShowsWhatTheLeftEyeSees) {
   ASSERT_TRUE(appears(orange_srgb, orange));
   const FrameInfo& frame = shown.back();
   const auto [x, y] = project(frame.views[0], {-50, 0, 400});
-  const double scale = 720.0 / frame.target->height;
+  const double scale = std::min(frame.target->height, 720) / static_cast<double>(frame.target->height);
   const int x_window = static_cast<int>(x * scale), y_window = static_cast<int>(y * scale);
   EXPECT_FALSE(alike(pixel(x_window, y_window), orange_srgb)) << "the ring at " << x_window << ", " << y_window;
   const int hole = static_cast<int>(project(frame.views[0], {0, 0, 400})[0] * scale);
@@ -95,10 +97,12 @@ TEST_F(Mirror, HearsKeys) {
 
 TEST_F(Mirror, FollowsItsSize) {
   ASSERT_TRUE(appears(orange_srgb, orange));
-  for (const std::array size : {std::array{1200, 200}, {120, 700}, {1, 1}, {500, 400}}) {
+  for (const std::array size : {std::array{1200, 200}, {120, 700}, {500, 400}}) {
     server->resize(window(), size[0], size[1]);
     ASSERT_TRUE(appears(blue_srgb, blue, size[0] - 1, size[1] - 1)) << size[0];
     ASSERT_TRUE(appears(orange_srgb, orange, 0, 0)) << size[0];
+    server->resize(window(), 1, 1);
+    show(30);
   }
 }
 
@@ -146,10 +150,13 @@ std::vector<double> periods_ms(const std::vector<FrameInfo>& shown) {
   return periods;
 }
 
-TEST_F(Mirror, DoesNotHoldTheHeadsetBack) {
+using MirrorBeside = Mirror;
+
+TEST_F(MirrorBeside, DoesNotHoldTheHeadsetBack) {
   const char* asked_for = std::getenv("MIRROR_ROUNDS");
   const int rounds = asked_for ? std::atoi(asked_for) : 2;
   std::array<std::vector<double>, 2> periods, cpu_ms;
+  validation = false;  // which takes time of its own
   for (int round = 0; round < 2 * rounds; ++round) {
     const std::size_t with = (round % 2 + round / 2) % 2;
     open(with == 1);
