@@ -81,6 +81,18 @@ class Headset : public testing::Test {
     ASSERT_EQ(shown.size(), frames) << "closed: " << display->closed();
   }
 
+  /// A frame of nothing; whether it was wanted.
+  bool blink() {
+    FrameInfo frame;
+    for (const Key key : display->poll()) keys.push_back(key);
+    display->begin(frame);
+    if (frame.should_render) {
+      EXPECT_TRUE(renderer->draw({}, frame)) << renderer->failure();
+    }
+    display->end(frame);
+    return frame.should_render;
+  }
+
   OpenXrOptions options;
   bool validation = true;
   std::atomic<int> validation_messages{0};
