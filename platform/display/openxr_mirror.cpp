@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 namespace onestroke {
 
@@ -69,6 +70,7 @@ struct Screen {
   vk::raii::CommandBuffer commands;
   vk::raii::Fence copied;
   DesktopWindow::Size size{};
+  const RenderTarget* taken = nullptr;  // for the next picture
   bool copying = false, stale = true;
   Time changed{};  // when the size last did
 
@@ -97,23 +99,26 @@ struct Screen {
 
   void rebuild_if_settled() {
     const bool area = size.width > 0 && size.height > 0;
-    if (!stale || copying || !area || Time::now() - changed < settled_after) return;
+    if (taken || copying || !area || Time::now() - changed < settled_after) return;
     stale = !swapchain.rebuild(size.width, size.height);
+  }
+
+  void take() {
+    Swapchain::Status status{};
+    taken = swapchain.acquire(status);
+    if (!taken && status == Swapchain::Status::stale) outdate();
   }
 
   /// False where the window has no image for it now.
   bool copy(const RenderTarget& drawn) {
-    if (copying || stale) return false;
-    Swapchain::Status status{};
-    const RenderTarget* target = swapchain.acquire(status);
-    if (!target && status == Swapchain::Status::stale) outdate();
-    if (!target) return false;
+    if (!taken) return false;
+    const RenderTarget& target = *std::exchange(taken, nullptr);
     pool.reset();
-    record(commands, drawn, *target);
+    record(commands, drawn, target);
     const vk::CommandBufferSubmitInfo buffer{.commandBuffer = *commands};
-    const vk::SemaphoreSubmitInfo wait{.semaphore = target->ready,
+    const vk::SemaphoreSubmitInfo wait{.semaphore = target.ready,
                                        .stageMask = vk::PipelineStageFlagBits2::eAllTransfer};
-    const vk::SemaphoreSubmitInfo signal{.semaphore = target->done,
+    const vk::SemaphoreSubmitInfo signal{.semaphore = target.done,
                                          .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
     device->submit({.waitSemaphoreInfoCount = 1,
                     .pWaitSemaphoreInfos = &wait,
@@ -125,9 +130,18 @@ struct Screen {
     return copying = true;
   }
 
-  void show() {
-    // A driver that draws on the processor waits within present() for whatever was handed to it before.
-    if (!copying || copied.getStatus() != vk::Result::eSuccess) return;
+  /// Shows what was copied, if it is ready, and takes the image for the next. Some drivers ask the desktop for an
+  /// answer in both, which is why copy(), for which a frame of the headset's waits, does neither.
+  void show(DesktopWindow::Size window) {
+    if (copying) present_if_copied();
+    follow(window);
+    if (stale) rebuild_if_settled();
+    if (!stale && !copying && !taken) take();
+  }
+
+  void present_if_copied() {
+    // A driver that draws on the processor would wait for the copy.
+    if (copied.getStatus() != vk::Result::eSuccess) return;
     device->vk().resetFences(*copied);
     copying = false;
     // Where no more can be shown, no more can be taken either.
@@ -225,11 +239,7 @@ void OpenXrMirror::copy(const RenderTarget& drawn) noexcept {
 }
 
 void OpenXrMirror::show() noexcept {
-  impl_->guard([this] {
-    impl_->screen->show();
-    impl_->screen->follow(impl_->window.size());
-    impl_->screen->rebuild_if_settled();
-  });
+  impl_->guard([this] { impl_->screen->show(impl_->window.size()); });
 }
 
 std::span<const Key> OpenXrMirror::poll() {
