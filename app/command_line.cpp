@@ -99,6 +99,8 @@ void add_run(CLI::App& program, RunOptions& options) {
                      "auto, camera, alpha, additive or passthrough"));
   run.add_flag("--stereo", options.stereo, help::stereo);
   run.add_flag_callback(
+      "--no-mirror", [&options] { options.mirror = false; }, help::no_mirror);
+  run.add_flag_callback(
       "--no-fingers", [&options] { options.fingers = false; }, help::no_fingers);
   run.add_flag("--left-handed", options.left_handed, help::left_handed);
   run.add_option("--snapshots", options.snapshots, help::snapshots)->type_name("DIR")->check(not_empty());

@@ -31,6 +31,7 @@ struct RunOptions {
   std::filesystem::path catalog;    ///< Empty for the demo's own.
   World world = World::automatic;   ///< In a headset.
   bool stereo = false;              ///< Off-screen: a pair of eyes, side by side.
+  bool mirror = true;               ///< Headset: a window beside it, where there is a screen.
   bool left_handed = false;         ///< The left hand points, the right one holds.
   std::filesystem::path snapshots;  ///< Their folder; empty for the usual one.
   bool fingers = true;              ///< Fingers that hold a stick are shown before the model behind them.

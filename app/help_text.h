@@ -44,6 +44,10 @@ inline constexpr const char* world =
     "XR_FB_passthrough), auto (camera; in a headset that cannot cover the world alpha, or else additive). All but "
     "camera draw no picture, and predict models to when they are seen. Default: auto";
 inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
+inline constexpr const char* no_mirror =
+    "Headset: no window beside it. Otherwise there is one that shows what the left eye sees and hears keys, where "
+    "there "
+    "is a screen";
 inline constexpr const char* no_fingers = "Show models before the fingers that hold their sticks";
 inline constexpr const char* left_handed =
     "The left hand points, cuts and measures, and its model is laid over the right one's";
@@ -78,9 +82,10 @@ inline constexpr const char* run_examples = R"(Examples:
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
 section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.
 
-Keys in a window: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or
-by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is
-known of the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape ends.)";
+Keys in a window, that beside a headset too: L links the two models, mirrors them, parts them again; O lays one over the
+other, B by their best fit or by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a
+snapshot; I shows what is known of the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape
+ends.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

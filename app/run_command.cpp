@@ -63,7 +63,7 @@ SourceOptions source_for(SourceOptions source, bool offscreen) {
 }
 
 DisplayOptions display_options(const RunOptions& options, bool offscreen, double rate) {
-  DisplayOptions display{.world = options.world, .rate = rate};
+  DisplayOptions display{.world = options.world, .mirror = options.mirror, .rate = rate};
   if (!options.stereo) return display;
   if (!offscreen)
     throw UsageError(

@@ -19,7 +19,8 @@ std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOpti
   if (spec == "window")
     return std::make_unique<WindowDisplay>(
         WindowOptions{.title = o.title, .width = o.width, .height = o.height, .wait_for_screen = o.wait_for_screen});
-  if (spec == "openxr") return std::make_unique<OpenXrDisplay>(o.world);
+  if (spec == "openxr")
+    return std::make_unique<OpenXrDisplay>(OpenXrOptions{.title = o.title, .world = o.world, .mirror = o.mirror});
   if (const auto folder = offscreen_folder(spec))
     return std::make_unique<OffscreenDisplay>(OffscreenOptions{.directory = *folder,
                                                                .width = o.width,

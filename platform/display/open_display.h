@@ -15,8 +15,9 @@ struct DisplayOptions {
   int width = 1280, height = 720;
   /// Window: waits for the screen's refresh. Otherwise the newest frame wins, where the driver can do that.
   bool wait_for_screen = true;
-  /// Headset: what the wearer sees behind the models.
+  /// Headset: see OpenXrOptions.
   World world = World::automatic;
+  bool mirror = true;
   /// Off-screen: see OffscreenOptions.
   double rate = 30;
   int png_every = 1;

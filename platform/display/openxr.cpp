@@ -4,6 +4,7 @@
 #include "display/openxr_blend.h"
 #include "display/openxr_clock.h"
 #include "display/openxr_head.h"
+#include "display/openxr_mirror.h"
 #include "display/openxr_passthrough.h"
 #include "display/openxr_session.h"
 #include "display/openxr_spaces.h"
@@ -32,11 +33,11 @@ struct Seat {
   OpenXrSwapchain swapchain;
   std::optional<OpenXrPassthrough> passthrough;
 
-  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu, World world)
+  Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu, World world, bool mirrored)
       : device(std::move(gpu)),
         session(instance, *device, blend_mode_for(world)),
         spaces(session.handle()),
-        swapchain(*device, session.handle(), session.view_size()) {
+        swapchain(*device, session.handle(), session.view_size(), mirrored) {
     if (world == World::passthrough) passthrough.emplace(instance, session.handle());
   }
   Seat(const Seat&) = delete;
@@ -51,6 +52,7 @@ struct OpenXrDisplay::Impl {
   std::optional<OpenXrClock> clock;
   OpenXrVulkan vulkan;
   std::string runtime, headset;
+  std::unique_ptr<OpenXrMirror> mirror;  // null for none
   // None before attach(), and from a loss to the next attach().
   std::optional<Seat> seat;
   OpenXrHead head;
@@ -62,7 +64,11 @@ struct OpenXrDisplay::Impl {
   // What was asked for, then what was chosen, also where the runtime comes again.
   World world;
 
-  explicit Impl(World wish) : world(wish) { connect(); }
+  explicit Impl(const OpenXrOptions& options) : world(options.world) {
+    connect();
+    if (options.mirror) mirror = open_mirror(options.title);
+    if (mirror) vulkan.want_windows();
+  }
 
   void connect() {
     instance.emplace();
@@ -117,12 +123,14 @@ struct OpenXrDisplay::Impl {
   void end(const FrameInfo& frame) {
     if (!seat || !seat->session.frame_begun()) return;
     if (frame.should_render)
-      show();
+      show(*frame.target);
     else
       seat->session.end_frame({});
+    if (mirror) mirror->show();
   }
 
-  void show() {
+  void show(const RenderTarget& drawn) {
+    if (mirror) mirror->copy(drawn);
     seat->swapchain.release();
     std::array<XrCompositionLayerProjectionView, max_views> views;
     for (std::uint32_t i = 0; i < max_views; ++i) {
@@ -191,22 +199,26 @@ struct OpenXrDisplay::Impl {
 
   void let_go() {
     head.detach();
+    if (mirror) mirror->let_go();
     if (seat) count += seat->session.count();
     seat.reset();
   }
 };
 
-OpenXrDisplay::OpenXrDisplay(World wish) : impl_(std::make_unique<Impl>(wish)) {}
+OpenXrDisplay::OpenXrDisplay(const OpenXrOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 OpenXrDisplay::~OpenXrDisplay() = default;
 
 GpuNeeds OpenXrDisplay::needs() const {
-  return {.hooks = &impl_->vulkan};
+  return {.instance_extensions = impl_->mirror ? impl_->mirror->instance_extensions() : std::vector<std::string>(),
+          .hooks = &impl_->vulkan};
 }
 
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
-  impl_->seat.emplace(impl_->instance.value(), gpu.device(), impl_->world);
+  impl_->seat.emplace(impl_->instance.value(), gpu.device(), impl_->world, impl_->mirror != nullptr);
   impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.place());
+  const VkExtent2D eye = impl_->seat->session.view_size();
+  if (impl_->mirror) impl_->mirror->attach(gpu.device(), impl_->vulkan.shows_windows(), eye);
   impl_->lost = false;
 }
 
@@ -230,7 +242,7 @@ std::span<const Key> OpenXrDisplay::poll() {
   impl_->guard([this] {
     if (impl_->seat) impl_->seat->session.take_events();
   });
-  return {};
+  return impl_->mirror ? impl_->mirror->poll() : std::span<const Key>();
 }
 
 bool OpenXrDisplay::closed() const {

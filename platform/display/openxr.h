@@ -7,13 +7,22 @@
 
 namespace onestroke {
 
+struct OpenXrOptions {
+  std::string title = "onestroke";
+  /// What the wearer sees behind the models.
+  World world = World::automatic;
+  /// A window beside the headset that shows the left eye's picture and hears keys, where there is a screen. The display
+  /// then must be made by the program's main thread.
+  bool mirror = false;
+};
+
 /// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space as it was at the start;
 /// recentring does not move it.
 class OpenXrDisplay final : public Display {
  public:
   /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed, or does not offer
   /// what is asked for.
-  explicit OpenXrDisplay(World wish = World::automatic);
+  explicit OpenXrDisplay(const OpenXrOptions& options = {});
   ~OpenXrDisplay() override;
 
   GpuNeeds needs() const override;

@@ -22,9 +22,9 @@ VkFormat choose_format(XrSession session) {
   throw Error("the OpenXR runtime takes no sRGB images of 8 bits: make another runtime active");
 }
 
-XrSwapchain create(XrSession session, VkFormat format, VkExtent2D size) {
+XrSwapchain create(XrSession session, VkFormat format, VkExtent2D size, bool copied) {
   auto info = typed<XrSwapchainCreateInfo>(XR_TYPE_SWAPCHAIN_CREATE_INFO);
-  info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT;
+  info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | (copied ? XR_SWAPCHAIN_USAGE_TRANSFER_SRC_BIT : 0);
   info.format = format;
   info.sampleCount = 1;
   info.width = size.width;
@@ -50,8 +50,8 @@ vk::raii::ImageView make_view(const Device& device, VkImage image, VkFormat form
 
 }  // namespace
 
-OpenXrSwapchain::OpenXrSwapchain(const Device& device, XrSession session, VkExtent2D size)
-    : format_(choose_format(session)), size_(size), swapchain_(create(session, format_, size)) {
+OpenXrSwapchain::OpenXrSwapchain(const Device& device, XrSession session, VkExtent2D size, bool copied)
+    : format_(choose_format(session)), size_(size), swapchain_(create(session, format_, size, copied)) {
   make_targets(device);
 }
 

@@ -9,8 +9,9 @@ namespace onestroke {
 /// The images that the runtime shows in turn: a layer for each eye, all of one size.
 class OpenXrSwapchain {
  public:
-  /// Session and device outlive this. Throws Error where the runtime takes no sRGB image.
-  OpenXrSwapchain(const Device& device, XrSession session, VkExtent2D size);
+  /// Session and device outlive this. `copied`: images are copied from, too. Throws Error where the runtime takes no
+  /// sRGB image.
+  OpenXrSwapchain(const Device& device, XrSession session, VkExtent2D size, bool copied);
 
   /// The next image, once the compositor has done with it; null where that takes too long, and the next call waits on.
   /// What was acquired and not released is given again. Throws OpenXrError.

@@ -1,5 +1,9 @@
 #include "display/openxr_vulkan.h"
 
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
 namespace onestroke {
 
 namespace {
@@ -7,6 +11,16 @@ namespace {
 void check_vulkan(VkResult result, const std::string& what) {
   if (result != VK_SUCCESS)
     throw Error(what + " for the headset: update the GPU's driver (VkResult " + std::to_string(result) + ")");
+}
+
+bool offers(PFN_vkGetInstanceProcAddr load, VkInstance instance, VkPhysicalDevice device, std::string_view extension) {
+  const auto list = reinterpret_cast<PFN_vkEnumerateDeviceExtensionProperties>(
+      load(instance, "vkEnumerateDeviceExtensionProperties"));
+  std::uint32_t count = 0;
+  if (!list || list(device, nullptr, &count, nullptr) != VK_SUCCESS) return false;
+  std::vector<VkExtensionProperties> properties(count);
+  if (list(device, nullptr, &count, properties.data()) != VK_SUCCESS) return false;
+  return std::ranges::any_of(properties, [&](const auto& p) { return extension == p.extensionName; });
 }
 
 }  // namespace
@@ -29,6 +43,7 @@ VkInstance OpenXrVulkan::create_instance(PFN_vkGetInstanceProcAddr load, const V
                                                                                         &made, &result),
         "the OpenXR runtime cannot start Vulkan: install the driver of the headset's GPU");
   check_vulkan(result, "Vulkan does not start");
+  vulkan_ = made;
   return made;
 }
 
@@ -45,11 +60,18 @@ VkPhysicalDevice OpenXrVulkan::choose_device(VkInstance instance) {
 
 VkDevice OpenXrVulkan::create_device(PFN_vkGetInstanceProcAddr load, VkPhysicalDevice device,
                                      const VkDeviceCreateInfo& info) {
+  std::vector<const char*> extensions(info.ppEnabledExtensionNames,
+                                      info.ppEnabledExtensionNames + info.enabledExtensionCount);
+  shows_windows_ = windows_wanted_ && offers(load, vulkan_, device, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  if (shows_windows_) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  VkDeviceCreateInfo more = info;
+  more.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+  more.ppEnabledExtensionNames = extensions.data();
   auto create = typed<XrVulkanDeviceCreateInfoKHR>(XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR);
   create.systemId = instance_->headset();
   create.pfnGetInstanceProcAddr = load;
   create.vulkanPhysicalDevice = device;
-  create.vulkanCreateInfo = &info;
+  create.vulkanCreateInfo = &more;
   VkDevice made = VK_NULL_HANDLE;
   VkResult result = VK_SUCCESS;
   check(instance_->function<PFN_xrCreateVulkanDeviceKHR>("xrCreateVulkanDeviceKHR")(instance_->handle(), &create, &made,

@@ -16,10 +16,19 @@ vk::SurfaceFormatKHR choose_format(Device& device, vk::SurfaceKHR surface) {
   throw Error("this desktop offers no sRGB window to GPU \"" + device.name() + "\": choose another with --gpu");
 }
 
-vk::PresentModeKHR choose_mode(Device& device, vk::SurfaceKHR surface, bool wait_for_screen) {
+vk::PresentModeKHR choose_mode(Device& device, vk::SurfaceKHR surface, SwapchainPace pace) {
+  using Mode = vk::PresentModeKHR;
   const auto offers = device.physical().getSurfacePresentModesKHR(surface);
-  const bool mailbox = std::find(offers.begin(), offers.end(), vk::PresentModeKHR::eMailbox) != offers.end();
-  return mailbox && !wait_for_screen ? vk::PresentModeKHR::eMailbox : vk::PresentModeKHR::eFifo;
+  const auto offered = [&](Mode mode) { return std::find(offers.begin(), offers.end(), mode) != offers.end(); };
+  if (pace != SwapchainPace::screen && offered(Mode::eMailbox)) return Mode::eMailbox;
+  if (pace != SwapchainPace::at_once) return Mode::eFifo;
+  if (offered(Mode::eImmediate)) return Mode::eImmediate;
+  throw Error("this desktop makes GPU \"" + device.name() + "\" wait for the screen: update its driver");
+}
+
+vk::ImageUsageFlags usage_of(const SwapchainOptions& options) {
+  return vk::ImageUsageFlagBits::eColorAttachment |
+         (options.copied_to ? vk::ImageUsageFlagBits::eTransferDst : vk::ImageUsageFlags());
 }
 
 // A desktop need not give images back of a window that it does not show; keys and the close button are heard all the
@@ -32,11 +41,13 @@ std::uint32_t between(int value, std::uint32_t low, std::uint32_t high) {
 
 }  // namespace
 
-Swapchain::Swapchain(Device& device, vk::SurfaceKHR surface, bool wait_for_screen)
+Swapchain::Swapchain(Device& device, vk::SurfaceKHR surface, const SwapchainOptions& options)
     : device_(device),
       surface_(surface),
       format_(choose_format(device, surface)),
-      mode_(choose_mode(device, surface, wait_for_screen)),
+      mode_(choose_mode(device, surface, options.pace)),
+      usage_(usage_of(options)),
+      longest_wait_ns_(options.pace == SwapchainPace::at_once ? 0 : longest_wait_ns),
       ready_{device.vk().createSemaphore({}), device.vk().createSemaphore({}), device.vk().createSemaphore({})} {}
 
 bool Swapchain::rebuild(int width, int height) {
@@ -47,7 +58,6 @@ bool Swapchain::rebuild(int width, int height) {
                           between(height, able.minImageExtent.height, able.maxImageExtent.height)};
   if (extent.width == 0 || extent.height == 0) return false;
   const std::uint32_t most = able.maxImageCount ? able.maxImageCount : UINT32_MAX;
-  device_.vk().waitIdle();
   targets_.clear();
   views_.clear();
   swapchain_ = device_.vk().createSwapchainKHR({.surface = surface_,
@@ -56,7 +66,7 @@ bool Swapchain::rebuild(int width, int height) {
                                                 .imageColorSpace = format_.colorSpace,
                                                 .imageExtent = extent,
                                                 .imageArrayLayers = 1,
-                                                .imageUsage = vk::ImageUsageFlagBits::eColorAttachment,
+                                                .imageUsage = usage_,
                                                 .preTransform = able.currentTransform,
                                                 .compositeAlpha = vk::CompositeAlphaFlagBitsKHR::eOpaque,
                                                 .presentMode = mode_,
@@ -87,7 +97,7 @@ void Swapchain::make_targets(vk::Extent2D extent) {
 const RenderTarget* Swapchain::acquire(Status& status) {
   // The plain call, since the wrapped one throws where the window has merely changed size.
   const vk::Semaphore ready = *ready_[next_ready_];
-  const auto result = device_.vk().getDispatcher()->vkAcquireNextImageKHR(*device_.vk(), *swapchain_, longest_wait_ns,
+  const auto result = device_.vk().getDispatcher()->vkAcquireNextImageKHR(*device_.vk(), *swapchain_, longest_wait_ns_,
                                                                           ready, VK_NULL_HANDLE, &taken_);
   const bool none_yet = result == VK_TIMEOUT || result == VK_NOT_READY;
   status = result == VK_SUCCESS || none_yet ? Status::good : Status::stale;

@@ -5,14 +5,26 @@
 
 namespace onestroke {
 
+/// How the images of a surface follow each other.
+enum class SwapchainPace {
+  screen,   ///< Each waits for the screen's refresh.
+  newest,   ///< The newest wins, where the driver can do that; otherwise as `screen`.
+  at_once,  ///< The newest wins, and neither taking an image nor showing it waits.
+};
+
+struct SwapchainOptions {
+  SwapchainPace pace = SwapchainPace::screen;
+  bool copied_to = false;  ///< Images are not only drawn into.
+};
+
 /// The images that a surface shows in turn.
 class Swapchain {
  public:
-  /// Throws Error where the GPU cannot show on the surface in an sRGB format.
-  Swapchain(Device& device, vk::SurfaceKHR surface, bool wait_for_screen);
+  /// Throws Error where the GPU cannot show on the surface in an sRGB format, or not as the options want it.
+  Swapchain(Device& device, vk::SurfaceKHR surface, const SwapchainOptions& options);
 
   /// Makes images of the surface's size, or of `width` x `height` where the surface leaves that open. False where the
-  /// surface has no area. Waits for the GPU.
+  /// surface has no area. The GPU must be done with the images that were taken.
   bool rebuild(int width, int height);
 
   enum class Status {
@@ -20,7 +32,7 @@ class Swapchain {
     stale,  ///< rebuild before the next frame
   };
   /// Takes the next image. Null where there is none: with `stale` there will be none, with `good` the screen, which may
-  /// not be showing the window at all, has left none free for a tenth of a second.
+  /// not be showing the window at all, has left none free: at once, or else for a tenth of a second.
   const RenderTarget* acquire(Status& status);
   /// Shows the image taken last.
   Status present();
@@ -36,6 +48,8 @@ class Swapchain {
   vk::SurfaceKHR surface_;
   vk::SurfaceFormatKHR format_;
   vk::PresentModeKHR mode_;
+  vk::ImageUsageFlags usage_;
+  std::uint64_t longest_wait_ns_;
   vk::raii::SwapchainKHR swapchain_{nullptr};
   std::vector<vk::raii::ImageView> views_;
   std::vector<vk::raii::Semaphore> done_;

@@ -2,123 +2,16 @@
 
 #include "core/error.h"
 #include "display/default_view.h"
+#include "display/desktop_window.h"
 #include "display/swapchain.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include <cctype>
 #include <optional>
 
 namespace onestroke {
 
-namespace {
-
-/// GLFW starts with the first window and ends with the last.
-class Glfw {
- public:
-  Glfw() {
-    if (!glfwInit()) fail("no desktop to open a window on");
-    if (!glfwVulkanSupported()) {
-      glfwTerminate();
-      throw Error("this desktop cannot show Vulkan: apt install mesa-vulkan-drivers or the GPU's driver");
-    }
-  }
-  Glfw(const Glfw&) = delete;
-  ~Glfw() { glfwTerminate(); }
-
-  [[noreturn]] static void fail(const std::string& what) {
-    const char* reason = nullptr;
-    glfwGetError(&reason);
-    throw Error(what + ": set DISPLAY, or use --display offscreen:DIR" +
-                (reason ? std::string(" (") + reason + ")" : std::string()));
-  }
-};
-
-struct CloseWindow {
-  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
-};
-
-Key special_key(int code) {
-  switch (code) {
-    case GLFW_KEY_ESCAPE:
-      return Key::escape;
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return Key::enter;
-    case GLFW_KEY_TAB:
-      return Key::tab;
-    case GLFW_KEY_LEFT:
-      return Key::left;
-    case GLFW_KEY_RIGHT:
-      return Key::right;
-    case GLFW_KEY_UP:
-      return Key::up;
-    case GLFW_KEY_DOWN:
-      return Key::down;
-    case GLFW_KEY_PAGE_UP:
-      return Key::page_up;
-    case GLFW_KEY_PAGE_DOWN:
-      return Key::page_down;
-    default:
-      return Key::none;
-  }
-}
-
-/// What was pressed since the last poll; more than fits is dropped.
-struct Keys {
-  std::array<Key, 32> list{};
-  std::size_t count = 0;
-
-  void add(Key key) {
-    if (key != Key::none && count < list.size()) list[count++] = key;
-  }
-};
-
-/// What the desktop has told of the window.
-struct Events {
-  Keys keys;
-  bool minimised = false;
-};
-
-Events& events_of(GLFWwindow* window) {
-  return *static_cast<Events*>(glfwGetWindowUserPointer(window));
-}
-
-void on_key(GLFWwindow* window, int code, int, int action, int) {
-  if (action == GLFW_PRESS) events_of(window).keys.add(special_key(code));
-}
-
-// Characters, unlike key codes, follow the user's keyboard layout.
-void on_character(GLFWwindow* window, unsigned character) {
-  if (character < 128) events_of(window).keys.add(static_cast<Key>(std::tolower(static_cast<int>(character))));
-}
-
-void on_minimised(GLFWwindow* window, int minimised) {
-  events_of(window).minimised = minimised == GLFW_TRUE;
-}
-
-GLFWwindow* make_window(const WindowOptions& options) {
-  glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-  GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
-  if (!window) Glfw::fail("the desktop opens no window");
-  return window;
-}
-
-Duration refresh_interval() {
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-  return Duration::from_seconds(1.0 / (mode && mode->refreshRate > 0 ? mode->refreshRate : 60));
-}
-
-}  // namespace
-
 struct WindowDisplay::Impl {
-  Glfw glfw;
   WindowOptions options;
-  Events events;
-  Keys polled;
-  std::unique_ptr<GLFWwindow, CloseWindow> window;
+  DesktopWindow window;
   std::shared_ptr<Device> device;
   vk::raii::SurfaceKHR surface{nullptr};
   std::optional<Swapchain> swapchain;
@@ -126,28 +19,29 @@ struct WindowDisplay::Impl {
   bool stale = true, failed = false, lost = false;
   std::string failure;
 
-  explicit Impl(const WindowOptions& o) : options(o), window(make_window(o)), interval(refresh_interval()) {
-    glfwSetWindowUserPointer(window.get(), &events);
-    glfwSetKeyCallback(window.get(), on_key);
-    glfwSetCharCallback(window.get(), on_character);
-    glfwSetWindowIconifyCallback(window.get(), on_minimised);
-  }
+  explicit Impl(const WindowOptions& o)
+      : options(o), window({.title = o.title, .width = o.width, .height = o.height}), interval(refresh_interval()) {}
 
   /// The next image to draw into; null where the window has no area now, or nobody sees it.
   const RenderTarget* acquire() {
-    if (events.minimised) return nullptr;
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window.get(), &width, &height);
+    if (window.minimised()) return nullptr;
+    DesktopWindow::Size size = window.ask_size();
     // A window may change size again while its images are being made.
     for (int attempt = 0; attempt < 3; ++attempt) {
-      if (width == 0 || height == 0 || (stale && !swapchain->rebuild(width, height))) return nullptr;
+      if (size.width == 0 || size.height == 0 || (stale && !rebuild(size))) return nullptr;
       Swapchain::Status status{};
       const RenderTarget* target = swapchain->acquire(status);
-      stale = status == Swapchain::Status::stale || (target && (target->width != width || target->height != height));
+      stale = status == Swapchain::Status::stale ||
+              (target && (target->width != size.width || target->height != size.height));
       if (target || !stale) return target;
-      glfwGetFramebufferSize(window.get(), &width, &height);
+      size = window.ask_size();
     }
     return nullptr;
+  }
+
+  bool rebuild(DesktopWindow::Size size) {
+    device->vk().waitIdle();
+    return swapchain->rebuild(size.width, size.height);
   }
 
   void let_go() {
@@ -183,20 +77,17 @@ WindowDisplay::~WindowDisplay() {
 }
 
 GpuNeeds WindowDisplay::needs() const {
-  std::uint32_t count = 0;
-  const char** names = glfwGetRequiredInstanceExtensions(&count);
-  return {.instance_extensions = {names, names + count}, .device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME}};
+  return {.instance_extensions = impl_->window.instance_extensions(),
+          .device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME}};
 }
 
 void WindowDisplay::attach(Gpu& gpu) {
   impl_->let_go();
   impl_->device = gpu.device();
-  const Device& device = *impl_->device;
-  VkSurfaceKHR surface = VK_NULL_HANDLE;
-  if (glfwCreateWindowSurface(*device.instance(), impl_->window.get(), nullptr, &surface) != VK_SUCCESS)
-    Glfw::fail("the desktop refuses Vulkan a window");
-  impl_->surface = vk::raii::SurfaceKHR(device.instance(), surface);
-  impl_->swapchain.emplace(*impl_->device, *impl_->surface, impl_->options.wait_for_screen);
+  impl_->surface = impl_->window.make_surface(impl_->device->instance());
+  impl_->swapchain.emplace(
+      *impl_->device, *impl_->surface,
+      SwapchainOptions{.pace = impl_->options.wait_for_screen ? SwapchainPace::screen : SwapchainPace::newest});
 }
 
 void WindowDisplay::begin(FrameInfo& frame) {
@@ -208,7 +99,7 @@ void WindowDisplay::begin(FrameInfo& frame) {
   if (frame.should_render)
     frame.views[0] = default_view({0, 0, frame.target->width, frame.target->height});
   else
-    glfwWaitEventsTimeout(0.02);
+    impl_->window.wait(Duration::from_ms(20));
 }
 
 void WindowDisplay::end(const FrameInfo& frame) {
@@ -217,14 +108,11 @@ void WindowDisplay::end(const FrameInfo& frame) {
 }
 
 std::span<const Key> WindowDisplay::poll() {
-  glfwPollEvents();
-  impl_->polled = impl_->events.keys;
-  impl_->events.keys.count = 0;
-  return {impl_->polled.list.data(), impl_->polled.count};
+  return impl_->window.poll();
 }
 
 bool WindowDisplay::closed() const {
-  return impl_->failed || glfwWindowShouldClose(impl_->window.get());
+  return impl_->failed || impl_->window.close_asked();
 }
 
 bool WindowDisplay::gpu_lost() const {
@@ -232,12 +120,12 @@ bool WindowDisplay::gpu_lost() const {
 }
 
 void WindowDisplay::finish() {
-  glfwSetWindowShouldClose(impl_->window.get(), GLFW_TRUE);
+  impl_->window.close();
   if (!impl_->failure.empty()) throw Error(impl_->failure);
 }
 
 void WindowDisplay::resize(int width, int height) {
-  glfwSetWindowSize(impl_->window.get(), width, height);
+  impl_->window.resize(width, height);
 }
 
 }  // namespace onestroke

@@ -48,13 +48,15 @@ TEST(CommandLine, RunAloneIsTheDemo) {
   EXPECT_EQ(run.gpu, "");
   EXPECT_FALSE(run.stereo);
   EXPECT_TRUE(run.fingers);
+  EXPECT_TRUE(run.mirror);
   EXPECT_EQ(run.mode, PictureTime::exposure);
   EXPECT_FALSE(run.source.fov_deg || run.source.readout_ms || run.frames || run.seconds);
 }
 
 TEST(CommandLine, RunTakesEveryOption) {
   const auto run = parsed<RunOptions>(
-      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --stereo --no-fingers --catalog "
+      "run --camera file:a.mp4 --fov 62.5 --readout-ms 16.6 --display offscreen:film --stereo --no-mirror --no-fingers "
+      "--catalog "
       "c.db --gpu radeon "
       "--mode fresh "
       "--frames 300 --seconds 2.5");
@@ -65,6 +67,7 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.catalog, "c.db");
   EXPECT_EQ(run.gpu, "radeon");
   EXPECT_TRUE(run.stereo);
+  EXPECT_FALSE(run.mirror);
   EXPECT_FALSE(run.fingers);
   EXPECT_EQ(run.mode, PictureTime::fresh);
   EXPECT_EQ(run.frames, 300);
@@ -262,6 +265,7 @@ TEST(CommandLine, CompletesInBash) {
   EXPECT_EQ(offered("onestroke marker ''", 2), "import export list show --help");
   EXPECT_EQ(offered("onestroke marker import --r", 3), "--replace");
   EXPECT_EQ(offered("onestroke run --g", 2), "--gpu");
+  EXPECT_EQ(offered("onestroke run --no-m", 2), "--no-mirror");
   EXPECT_EQ(offered("onestroke run --mode f", 3), "fresh");
   EXPECT_EQ(offered("onestroke run --camera f", 3), "file: folder:");
   EXPECT_EQ(offered("onestroke run --camera file : /etc/host", 5).substr(0, 9), "/etc/host");

@@ -2,11 +2,10 @@
 #include "display/window.h"
 
 #include "core/error.h"
+#include "desktop/x_server.h"
 #include "display/open_display.h"
 #include "golden/stage.h"
 
-#include <X11/Xlib.h>
-#include <X11/Xutil.h>
 #include <X11/keysym.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,90 +18,6 @@ namespace onestroke {
 namespace {
 
 constexpr const char* title = "onestroke window test";
-
-/// The X server as another program sees it.
-class Server {
- public:
-  Server() : display_(XOpenDisplay(nullptr)) {}
-  Server(const Server&) = delete;
-  ~Server() {
-    if (display_) XCloseDisplay(display_);
-  }
-
-  bool answers() const { return display_; }
-
-  ::Window find() const { return find_below(DefaultRootWindow(display_)); }
-
-  std::array<int, 3> pixel(::Window window, int x, int y) const {
-    XImage* image = XGetImage(display_, window, x, y, 1, 1, AllPlanes, ZPixmap);
-    const unsigned long p = image ? XGetPixel(image, 0, 0) : 0;
-    if (image) XDestroyImage(image);
-    return {static_cast<int>(p >> 16 & 255), static_cast<int>(p >> 8 & 255), static_cast<int>(p & 255)};
-  }
-
-  void press(::Window window, KeySym symbol) const {
-    XKeyEvent event{};
-    event.display = display_;
-    event.window = window;
-    event.root = DefaultRootWindow(display_);
-    event.same_screen = True;
-    event.keycode = XKeysymToKeycode(display_, symbol);
-    for (const auto& [type, mask] : {std::pair{KeyPress, KeyPressMask}, {KeyRelease, KeyReleaseMask}}) {
-      event.type = type;
-      // GLFW takes a press at the time of the last one for a repeat.
-      event.time = ++time_;
-      XSendEvent(display_, window, True, mask, reinterpret_cast<XEvent*>(&event));
-    }
-    XSync(display_, False);
-  }
-
-  void close(::Window window) const {
-    XClientMessageEvent event{};
-    event.type = ClientMessage;
-    event.window = window;
-    event.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
-    event.format = 32;
-    event.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
-    XSendEvent(display_, window, False, NoEventMask, reinterpret_cast<XEvent*>(&event));
-    XSync(display_, False);
-  }
-
-  /// What a window manager does, of which there is none here.
-  void minimise(::Window window) const {
-    set_state(window, IconicState);
-    XUnmapWindow(display_, window);
-    XSync(display_, False);
-  }
-  void restore(::Window window) const {
-    XMapWindow(display_, window);
-    set_state(window, NormalState);
-    XSync(display_, False);
-  }
-
- private:
-  void set_state(::Window window, long state) const {
-    const Atom name = XInternAtom(display_, "WM_STATE", False);
-    const std::array<long, 2> value{state, None};
-    XChangeProperty(display_, window, name, name, 32, PropModeReplace,
-                    reinterpret_cast<const unsigned char*>(value.data()), 2);
-  }
-
-  ::Window find_below(::Window window) const {
-    char* name = nullptr;
-    const bool found = XFetchName(display_, window, &name) && name && std::string(name) == title;
-    if (name) XFree(name);
-    if (found) return window;
-    ::Window root = 0, parent = 0, *children = nullptr, result = 0;
-    unsigned count = 0;
-    if (!XQueryTree(display_, window, &root, &parent, &children, &count)) return 0;
-    for (unsigned i = 0; i < count && !result; ++i) result = find_below(children[i]);
-    if (children) XFree(children);
-    return result;
-  }
-
-  ::Display* display_;
-  mutable ::Time time_ = 1000;
-};
 
 class WindowTest : public testing::Test {
  protected:
@@ -152,7 +67,7 @@ class WindowTest : public testing::Test {
 
   std::atomic<int> validation_messages{0};
   LossRehearsal rehearsal;
-  Server server;
+  test::XServer server;
   std::optional<WindowDisplay> window;
   std::optional<Renderer> renderer;
   FrameInfo last;
@@ -162,8 +77,8 @@ class WindowTest : public testing::Test {
 
 TEST_F(WindowTest, ShowsWhatIsDrawn) {
   const Color orange{1, 0.2F, 0.05F, 1};  // sRGB 255, 124, 63
-  ASSERT_TRUE(show_until(orange, [this] { return server.pixel(server.find(), 160, 120)[0] > 0; }));
-  const auto pixel = server.pixel(server.find(), 160, 120);
+  ASSERT_TRUE(show_until(orange, [this] { return server.pixel(server.find(title), 160, 120)[0] > 0; }));
+  const auto pixel = server.pixel(server.find(title), 160, 120);
   EXPECT_EQ(pixel[0], 255);
   EXPECT_NEAR(pixel[1], 124, 1);
   EXPECT_NEAR(pixel[2], 63, 1);
@@ -175,7 +90,7 @@ TEST_F(WindowTest, FollowsItsSize) {
   for (const std::array wanted : {std::array{500, 380}, {200, 150}, {640, 90}}) {
     window->resize(wanted[0], wanted[1]);
     ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] { return size == wanted; })) << wanted[0];
-    const auto last_pixel = [&] { return server.pixel(server.find(), wanted[0] - 2, wanted[1] - 2); };
+    const auto last_pixel = [&] { return server.pixel(server.find(title), wanted[0] - 2, wanted[1] - 2); };
     ASSERT_TRUE(show_until({0, 1, 0, 1}, [&] { return last_pixel() == std::array{0, 255, 0}; })) << wanted[0];
   }
   EXPECT_FALSE(window->closed());
@@ -183,8 +98,9 @@ TEST_F(WindowTest, FollowsItsSize) {
 
 TEST_F(WindowTest, ReportsKeys) {
   show({});
-  const ::Window id = server.find();
-  for (const KeySym symbol : std::array<KeySym, 4>{XK_l, XK_space, XK_Escape, XK_Left}) server.press(id, symbol);
+  const auto id = server.find(title);
+  for (const unsigned long symbol : std::array<unsigned long, 4>{XK_l, XK_space, XK_Escape, XK_Left})
+    server.press(id, symbol);
   EXPECT_TRUE(show_until({}, [this] { return keys.size() >= 4; }));
   EXPECT_THAT(keys, testing::ElementsAre(Key{'l'}, Key::space, Key::escape, Key::left));
 }
@@ -192,7 +108,7 @@ TEST_F(WindowTest, ReportsKeys) {
 TEST_F(WindowTest, ClosesWhenAsked) {
   show({});
   EXPECT_FALSE(window->closed());
-  server.close(server.find());
+  server.close(server.find(title));
   EXPECT_TRUE(show_until({}, [this] { return window->closed(); }));
   EXPECT_NO_THROW(window->finish());
 }
@@ -207,7 +123,7 @@ TEST_F(WindowTest, ShrinksToOnePixelAndBack) {
 
 TEST_F(WindowTest, DrawsNothingWhileItIsMinimised) {
   show({});
-  const ::Window id = server.find();
+  const auto id = server.find(title);
   server.minimise(id);
   ASSERT_TRUE(show_until({}, [this] { return !show({}); }));
   for (int i = 0; i < 5; ++i) EXPECT_FALSE(show({1, 0, 0, 1}));
@@ -223,7 +139,7 @@ TEST_F(WindowTest, DrawsNothingWhileItIsMinimised) {
 
 TEST_F(WindowTest, ClosesWhileItIsMinimised) {
   show({});
-  const ::Window id = server.find();
+  const auto id = server.find(title);
   server.minimise(id);
   ASSERT_TRUE(show_until({}, [this] { return !show({}); }));
   server.close(id);
@@ -244,7 +160,9 @@ TEST_F(WindowTest, FollowsManySizesInARow) {
 }
 
 TEST_F(WindowTest, GoesOnWithAnotherGpuWhereOneWasLost) {
-  ASSERT_TRUE(show_until({1, 0, 0, 1}, [this] { return server.pixel(server.find(), 9, 9) == std::array{255, 0, 0}; }));
+  ASSERT_TRUE(show_until({1, 0, 0, 1}, [this] {
+    return server.pixel(server.find(title), 9, 9) == std::array{255, 0, 0};
+  }));
   rehearsal.submissions = 1;
   FrameInfo frame;
   window->begin(frame);
@@ -257,7 +175,9 @@ TEST_F(WindowTest, GoesOnWithAnotherGpuWhereOneWasLost) {
   renderer.reset();
   start();
   EXPECT_FALSE(window->gpu_lost());
-  EXPECT_TRUE(show_until({0, 0, 1, 1}, [this] { return server.pixel(server.find(), 9, 9) == std::array{0, 0, 255}; }));
+  EXPECT_TRUE(show_until({0, 0, 1, 1}, [this] {
+    return server.pixel(server.find(title), 9, 9) == std::array{0, 0, 255};
+  }));
 }
 
 TEST(WindowWithoutDesktop, NamesTheRemedy) {
