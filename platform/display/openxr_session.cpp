@@ -108,9 +108,8 @@ XrFrameState OpenXrSession::begin_frame() {
 void OpenXrSession::count_missed(const XrFrameState& frame) {
   if (count_.frames < 2 || frame.predictedDisplayPeriod <= 0) return;
   shortest_period_ = std::min(shortest_period_, frame.predictedDisplayPeriod);
-  const XrDuration period = refresh_rate_.period().value_or(shortest_period_);
   const XrDuration since = frame.predictedDisplayTime - display_time_;
-  count_.missed += std::max<std::int64_t>(0, (since + period / 2) / period - 1);
+  count_.missed += std::max<std::int64_t>(0, (since + period() / 2) / period() - 1);
 }
 
 void OpenXrSession::end_frame(std::span<const XrCompositionLayerBaseHeader* const> layers) {
@@ -120,7 +119,7 @@ void OpenXrSession::end_frame(std::span<const XrCompositionLayerBaseHeader* cons
   info.layerCount = static_cast<std::uint32_t>(layers.size());
   info.layers = layers.data();
   frame_begun_ = false;
-  if (layer && (Time::now() - begun_).ns > shortest_period_) ++count_.slow;
+  if (!layers.empty() && (Time::now() - begun_).ns > period()) ++count_.slow;
   check(xrEndFrame(*session_, &info), "the OpenXR runtime does not show a frame");
   if (!layers.empty()) ++count_.seen;
 }

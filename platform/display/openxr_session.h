@@ -67,6 +67,8 @@ class OpenXrSession {
  private:
   void go_to(XrSessionState state);
   void count_missed(const XrFrameState& frame);
+  /// The screen's own, as far as it is known.
+  XrDuration period() const { return refresh_rate_.period().value_or(shortest_period_); }
 
   const OpenXrInstance& instance_;
   VkExtent2D view_size_;
