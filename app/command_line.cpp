@@ -84,6 +84,7 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->type_name("SPEC")
       ->check(one_of({{"window", More::none}, {"openxr", More::none}, {"offscreen", More::must}},
                      "window, openxr or offscreen:DIR"));
+  run.add_flag("--wait", options.wait, help::wait);
   run.add_flag("--stereo", options.stereo, help::stereo);
   run.add_flag_callback(
       "--no-fingers", [&options] { options.fingers = false; }, help::no_fingers);
@@ -188,6 +189,11 @@ void check_threads(const Program& program, const TrackOptions& options) {
                       " needs --independent: pictures that follow each other are tracked one after the other");
 }
 
+void check_wait(const Program& program, const RunOptions& options) {
+  if (options.wait && options.display != "openxr")
+    refuse(program, "--wait is for a headset: give --display openxr with it, or leave it out");
+}
+
 void check_lens_known(const Program& program, const SourceOptions& options) {
   if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
   refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
@@ -219,6 +225,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
     return program.track;
   }
   if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");
+  check_wait(program, program.run);
   if (program.run.replay.empty())
     check_lens_known(program, program.run.source);
   else if (program.app.get_subcommand("run")->count("--camera") == 0)

@@ -38,6 +38,8 @@ inline constexpr const char* run = "Follow the markers and show their models ove
 inline constexpr const char* display =
     "Where to show it: window, openxr (a headset) or offscreen:DIR (numbered pictures). Default: a "
     "window where there is a display, otherwise off-screen";
+inline constexpr const char* wait =
+    "With --display openxr: wait for a runtime and a headset that are not there yet, rather than fail";
 inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
 inline constexpr const char* no_fingers = "Show models before the fingers that hold their sticks";
 inline constexpr const char* left_handed =
@@ -75,7 +77,12 @@ section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z
 
 Keys in a window: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or
 by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is
-known of the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape ends.)";
+known of the models; X exchanges the hands; H hides words and figures; R puts the world's origin where a headset's head is;
+N opens and closes a menu of all this, Tab goes on in it and Enter picks; Space pauses; Q or Escape ends.
+
+Without a keyboard: cross the start arms of both sticks until the ring is full, then hold a red tip before what is to be
+picked. A headset's controllers: left trigger goes on, right one picks, either opens the menu. Hands without sticks: thumb
+and forefinger tapped together do the same.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

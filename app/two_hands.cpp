@@ -62,6 +62,7 @@ const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::spa
     add_cards(view);
     add_planes(view);
     measure_.draw(builder_, view, comparison_.view().measure);
+    draw_menu(builder_, view, comparison_.view().menu);
     if (comparison_.view().offer) draw_offer(builder_, view, *comparison_.view().offer);
     const double em = text_em(view);
     area_ = hud_area(views, options_.worn);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "display/offscreen.h"
 #include "display/openxr.h"
+#include "display/openxr_wait.h"
 #include "display/window.h"
 
 #include <string_view>
@@ -19,6 +20,7 @@ std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOpti
   if (spec == "window")
     return std::make_unique<WindowDisplay>(
         WindowOptions{.title = o.title, .width = o.width, .height = o.height, .wait_for_screen = o.wait_for_screen});
+  if (spec == "openxr" && o.give_up) return wait_for_headset(o.give_up);
   if (spec == "openxr") return std::make_unique<OpenXrDisplay>();
   if (const auto folder = offscreen_folder(spec))
     return std::make_unique<OffscreenDisplay>(OffscreenOptions{.directory = *folder,

@@ -14,6 +14,8 @@ struct DisplayOptions {
   int width = 1280, height = 720;
   /// Window: waits for the screen's refresh. Otherwise the newest frame wins, where the driver can do that.
   bool wait_for_screen = true;
+  /// Headset: one that is not there yet is waited for, until this says true. Null: that is an error.
+  bool (*give_up)() = nullptr;
   /// Off-screen: see OffscreenOptions.
   double rate = 30;
   int png_every = 1;

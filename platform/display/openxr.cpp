@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace onestroke {
 
@@ -51,7 +52,7 @@ struct OpenXrDisplay::Impl {
   OpenXrSession::Count count;
   Time last = Time::now(), next_try;
   std::string failure;
-  bool closed = false, lost = false;
+  bool closed = false, lost = false, recentre = false;
 
   Impl() { connect(); }
 
@@ -73,6 +74,10 @@ struct OpenXrDisplay::Impl {
     }
     const XrFrameState state = seat->session.begin_frame();
     if (seat->session.take_recentred()) head.forget();
+    if (std::exchange(recentre, false)) {
+      seat->spaces.recentre();
+      head.place(seat->spaces.T_world_space(state.predictedDisplayTime));
+    }
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
     if (!state.shouldRender || !seat->spaces.locate(state.predictedDisplayTime)) return;
@@ -119,7 +124,7 @@ struct OpenXrDisplay::Impl {
       views.at(i).subImage = seat->swapchain.part_for(i);
     }
     auto layer = typed<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
-    layer.space = seat->spaces.world();
+    layer.space = seat->spaces.space();
     layer.viewCount = max_views;
     layer.views = views.data();
     seat->session.end_frame(&layer);
@@ -185,7 +190,7 @@ GpuNeeds OpenXrDisplay::needs() const {
 void OpenXrDisplay::attach(Gpu& gpu) {
   impl_->let_go();
   impl_->seat.emplace(impl_->instance.value(), gpu.device());
-  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.world());
+  impl_->head.attach(impl_->clock.value(), impl_->seat->session.handle(), impl_->seat->spaces.space());
   impl_->lost = false;
 }
 
@@ -218,6 +223,11 @@ bool OpenXrDisplay::closed() const {
 
 std::optional<Pose> OpenXrDisplay::head_at(Time time) const {
   return impl_->head.at(time);
+}
+
+bool OpenXrDisplay::recentre() {
+  impl_->recentre = impl_->seat.has_value();
+  return impl_->recentre;
 }
 
 bool OpenXrDisplay::gpu_lost() const {

@@ -6,7 +6,8 @@
 
 namespace onestroke {
 
-/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space.
+/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space, until
+/// recentre() moves its origin.
 class OpenXrDisplay final : public Display {
  public:
   /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed.
@@ -26,6 +27,7 @@ class OpenXrDisplay final : public Display {
   bool gpu_lost() const override;
   bool tracks_head() const override { return true; }
   std::optional<Pose> head_at(Time time) const override;
+  bool recentre() override;
   void finish() override;
   std::vector<std::string> report() const override;
 

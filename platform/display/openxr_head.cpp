@@ -30,9 +30,10 @@ Vec3 vector_of(const XrVector3f& v) {
 
 OpenXrHead::OpenXrHead() : history_(remembered) {}
 
-void OpenXrHead::attach(const OpenXrClock& clock, XrSession session, XrSpace world) {
+void OpenXrHead::attach(const OpenXrClock& clock, XrSession session, XrSpace space) {
   detach();
-  source_.emplace(clock, make_space(session, XR_REFERENCE_SPACE_TYPE_VIEW), world);
+  place({});
+  source_.emplace(clock, make_space(session, XR_REFERENCE_SPACE_TYPE_VIEW), space);
   follower_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "head");
     follow(stop);
@@ -50,6 +51,11 @@ void OpenXrHead::forget() {
   history_.clear();
 }
 
+void OpenXrHead::place(const Pose& T_world_space) {
+  const std::scoped_lock lock(asking_);
+  T_world_space_ = T_world_space;
+}
+
 void OpenXrHead::follow(const std::stop_token& stop) noexcept {
   try {
     for (; !stop.stop_requested(); std::this_thread::sleep_for(between_samples)) sample();
@@ -63,7 +69,7 @@ void OpenXrHead::sample() {
   auto location = typed<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
   location.next = &velocity;
   const Time now = Time::now();
-  check(xrLocateSpace(*source_->head, source_->world, source_->clock.to_runtime(now), &location),
+  check(xrLocateSpace(*source_->head, source_->space, source_->clock.to_runtime(now), &location),
         "the OpenXR runtime does not say where the head is");
   if ((location.locationFlags & needed) != needed || Time::now() - now > longest_answer) return;
   // Not every runtime tells how fast the head moves.
@@ -78,7 +84,7 @@ void OpenXrHead::sample() {
 std::optional<Pose> OpenXrHead::at(Time time) const {
   const std::scoped_lock lock(asking_);
   const PoseHistory::Answer answer = history_.get(time);
-  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(answer.pose);
+  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(T_world_space_ * answer.pose);
 }
 
 }  // namespace onestroke

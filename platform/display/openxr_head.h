@@ -16,8 +16,11 @@ class OpenXrHead {
   OpenXrHead();
   ~OpenXrHead() { detach(); }
 
-  /// Begins to follow the head. Clock, session and world outlive detach(). Throws OpenXrError.
-  void attach(const OpenXrClock& clock, XrSession session, XrSpace world);
+  /// Begins to follow the head. Clock, session and space outlive detach(). The space is the world's until place() says
+  /// where it is. Throws OpenXrError.
+  void attach(const OpenXrClock& clock, XrSession session, XrSpace space);
+  /// Where the space is in the world from now on, also for what is remembered.
+  void place(const Pose& T_world_space);
   /// Ends that, and forgets.
   void detach();
   /// The world has moved: what was remembered holds no more.
@@ -30,18 +33,19 @@ class OpenXrHead {
   struct Source {
     const OpenXrClock& clock;
     OpenXrOwned<XrSpace, xrDestroySpace> head;
-    XrSpace world;
+    XrSpace space;
 
     Source(const OpenXrClock& runtime_clock, XrSpace view, XrSpace around)
-        : clock(runtime_clock), head(view), world(around) {}
+        : clock(runtime_clock), head(view), space(around) {}
   };
 
   void follow(const std::stop_token& stop) noexcept;
   void sample();
 
   std::optional<Source> source_;  // constant while the thread below lives
-  mutable std::mutex asking_;     // over the history
+  mutable std::mutex asking_;     // over the history, which is in the space, and where that is
   PoseHistory history_;
+  Pose T_world_space_;
   std::jthread follower_;
 };
 

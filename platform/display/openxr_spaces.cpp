@@ -1,5 +1,6 @@
 #include "display/openxr_spaces.h"
 
+#include "display/recentring.h"
 #include "scene/frames.h"
 
 #include <cmath>
@@ -34,7 +35,7 @@ Pose pose_of(const XrPosef& pose) {
 }
 
 OpenXrSpaces::OpenXrSpaces(XrSession session)
-    : session_(session), world_(make_space(session, XR_REFERENCE_SPACE_TYPE_LOCAL)) {
+    : session_(session), local_(make_space(session, XR_REFERENCE_SPACE_TYPE_LOCAL)) {
   eyes_.fill(typed<XrView>(XR_TYPE_VIEW));
 }
 
@@ -42,7 +43,7 @@ bool OpenXrSpaces::locate(XrTime time) {
   auto info = typed<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
   info.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
   info.displayTime = time;
-  info.space = *world_;
+  info.space = *local_;
   auto state = typed<XrViewState>(XR_TYPE_VIEW_STATE);
   std::uint32_t count = 0;
   check(xrLocateViews(session_, &info, &state, static_cast<std::uint32_t>(eyes_.size()), &count, eyes_.data()),
@@ -55,7 +56,17 @@ bool OpenXrSpaces::locate(XrTime time) {
   } else {
     keep_place();
   }
+  time_ = time;
   return true;
+}
+
+// Both eyes look the way the head does, but for what they are canted.
+void OpenXrSpaces::recentre() {
+  if (time_ == 0) return;
+  const Pose left = view(0).T_world_view, right = view(1).T_world_view;
+  const Quat head = exp_so3(0.5 * log_so3(right.rotation * left.rotation.conjugate())) * left.rotation;
+  const Pose T_old_new = upright({head, 0.5 * (left.translation + right.translation)});
+  world_.place(inverse(T_old_new) * world_.T_world_space(time_));
 }
 
 void OpenXrSpaces::keep_place() {
@@ -66,7 +77,7 @@ void OpenXrSpaces::keep_place() {
 
 View OpenXrSpaces::view(std::size_t i) const {
   const XrView& eye = eyes_.at(i);
-  return {.T_world_view = pose_of(eye.pose),
+  return {.T_world_view = T_world_space(time_) * pose_of(eye.pose),
           .fov = {.left = std::tan(double{eye.fov.angleLeft}),
                   .right = std::tan(double{eye.fov.angleRight}),
                   .up = std::tan(double{eye.fov.angleUp}),
