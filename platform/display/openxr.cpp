@@ -1,6 +1,9 @@
 #include "display/openxr.h"
 
+#include "core/inline_vector.h"
+#include "display/openxr_actions.h"
 #include "display/openxr_clock.h"
+#include "display/openxr_hands.h"
 #include "display/openxr_head.h"
 #include "display/openxr_session.h"
 #include "display/openxr_spaces.h"
@@ -27,12 +30,16 @@ struct Seat {
   std::shared_ptr<Device> device;
   OpenXrSession session;
   OpenXrSpaces spaces;
+  OpenXrActions actions;
+  OpenXrHands hands;
   OpenXrSwapchain swapchain;
 
   Seat(const OpenXrInstance& instance, std::shared_ptr<Device> gpu)
       : device(std::move(gpu)),
         session(instance, *device),
         spaces(session.handle()),
+        actions(instance, session.handle()),
+        hands(instance, session.handle()),
         swapchain(*device, session.handle(), session.view_size()) {}
   Seat(const Seat&) = delete;
   ~Seat() { device->wait_idle(); }
@@ -53,6 +60,7 @@ struct OpenXrDisplay::Impl {
   Time last = Time::now(), next_try;
   std::string failure;
   bool closed = false, lost = false, recentre = false;
+  InlineVector<Key, 16> keys;
 
   Impl() { connect(); }
 
@@ -104,6 +112,17 @@ struct OpenXrDisplay::Impl {
       // The frame needs its image yet; end() finds out what happened.
       return false;
     }
+  }
+
+  void poll() {
+    keys.clear();
+    if (!seat) return;
+    seat->session.take_events();
+    if (!seat->session.running()) return;
+    const auto press = [this](Key key) { keys.push_back(key); };
+    seat->actions.poll(press);
+    const Time now = Time::now();
+    seat->hands.poll(seat->spaces.space(), clock->to_runtime(now), now, press);
   }
 
   void end(const FrameInfo& frame) {
@@ -211,10 +230,8 @@ void OpenXrDisplay::end(const FrameInfo& frame) {
 }
 
 std::span<const Key> OpenXrDisplay::poll() {
-  impl_->guard([this] {
-    if (impl_->seat) impl_->seat->session.take_events();
-  });
-  return {};
+  impl_->guard([this] { impl_->poll(); });
+  return {impl_->keys.begin(), impl_->keys.size()};
 }
 
 bool OpenXrDisplay::closed() const {

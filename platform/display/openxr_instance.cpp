@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 namespace onestroke {
@@ -10,6 +11,8 @@ namespace onestroke {
 namespace {
 
 constexpr std::array needed{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
+// Used where they are offered.
+constexpr std::array welcome{XR_EXT_HAND_TRACKING_EXTENSION_NAME};
 
 std::vector<std::string> offered_extensions() {
   std::uint32_t count = 0;
@@ -26,22 +29,25 @@ std::vector<std::string> offered_extensions() {
   return names;
 }
 
-void check_extensions() {
+std::vector<const char*> choose_extensions() {
   const std::vector<std::string> offered = offered_extensions();
+  const auto is_offered = [&offered](const char* name) { return std::ranges::find(offered, name) != offered.end(); };
   for (const char* name : needed)
-    if (std::find(offered.begin(), offered.end(), name) == offered.end())
+    if (!is_offered(name))
       throw Error(std::string("the OpenXR runtime lacks ") + name + ": update it, or make another one active");
+  std::vector<const char*> chosen(needed.begin(), needed.end());
+  std::ranges::copy_if(welcome, std::back_inserter(chosen), is_offered);
+  return chosen;
 }
 
-XrInstance create_instance() {
-  check_extensions();
+XrInstance create_instance(const std::vector<const char*>& extensions) {
   auto info = typed<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
   std::strcpy(info.applicationInfo.applicationName, "onestroke");
   info.applicationInfo.applicationVersion = 1;
   // Loaders of 1.0 refuse any later version, and later ones know 1.0.
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
-  info.enabledExtensionCount = static_cast<std::uint32_t>(needed.size());
-  info.enabledExtensionNames = needed.data();
+  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+  info.enabledExtensionNames = extensions.data();
   XrInstance instance = XR_NULL_HANDLE;
   check(xrCreateInstance(&info, &instance),
         "the OpenXR runtime does not answer: start its service (monado-service, or SteamVR), then try again");
@@ -68,7 +74,8 @@ XrSystemId find_headset(XrInstance instance, const std::string& runtime) {
 }  // namespace
 
 OpenXrInstance::OpenXrInstance()
-    : instance_(create_instance()),
+    : extensions_(choose_extensions()),
+      instance_(create_instance(extensions_)),
       runtime_name_(name_of_runtime(*instance_)),
       headset_(find_headset(*instance_, runtime_name_)) {}
 
@@ -76,6 +83,10 @@ std::string OpenXrInstance::headset_name() const {
   auto properties = typed<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);
   check(xrGetSystemProperties(*instance_, headset_, &properties), "the headset does not say its name");
   return properties.systemName;
+}
+
+bool OpenXrInstance::has(std::string_view extension) const {
+  return std::ranges::find(extensions_, extension) != extensions_.end();
 }
 
 bool OpenXrInstance::next_event(XrEventDataBuffer& event) const {

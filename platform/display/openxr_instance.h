@@ -3,6 +3,8 @@
 #include "display/openxr_api.h"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace onestroke {
 
@@ -18,6 +20,9 @@ class OpenXrInstance {
   const std::string& runtime_name() const { return runtime_name_; }
   std::string headset_name() const;
 
+  /// True of an extension that is used where the runtime offers it, and does.
+  bool has(std::string_view extension) const;
+
   /// The runtime's next word, false where it has none. Throws OpenXrError.
   bool next_event(XrEventDataBuffer& event) const;
 
@@ -30,6 +35,7 @@ class OpenXrInstance {
   }
 
  private:
+  std::vector<const char*> extensions_;  // in use
   OpenXrOwned<XrInstance, xrDestroyInstance> instance_;
   std::string runtime_name_;
   XrSystemId headset_;
