@@ -21,8 +21,8 @@ enum class PictureTime { exposure, fresh };
 struct RunOptions {
   SourceOptions source;
   std::string
-      display;  ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
-  bool wait = false;                ///< For a headset that is not there yet.
+      display;        ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
+  bool wait = false;  ///< For a headset that is not there yet.
   std::filesystem::path catalog;    ///< Empty for the demo's own.
   bool stereo = false;              ///< Off-screen: a pair of eyes, side by side.
   bool left_handed = false;         ///< The left hand points, the right one holds.

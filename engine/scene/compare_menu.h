@@ -18,8 +18,8 @@ struct MenuEntryView {
 
 /// The menu as it hangs in the world.
 struct MenuView {
-  double amount = 0;   ///< 0 where there is none; eased.
-  Pose T_world_menu;   ///< The menu's middle; x to the right, y down, z away from the eyes; mm.
+  double amount = 0;  ///< 0 where there is none; eased.
+  Pose T_world_menu;  ///< The menu's middle; x to the right, y down, z away from the eyes; mm.
   std::array<MenuEntryView, menu_entries.size()> entries{};
   std::optional<std::size_t> pointed;  ///< The entry that is pointed at, by a tip or by key.
   double progress = 0;                 ///< 0 to 1, of its being picked by the tip.

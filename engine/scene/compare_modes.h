@@ -87,11 +87,11 @@ struct SignKey {
   char key;
   Sign sign;
 };
-inline constexpr std::array sign_keys{
-    SignKey{'l', Sign::starts_together}, SignKey{'o', Sign::corners_together}, SignKey{'o', Sign::corners_parted},
-    SignKey{'b', Sign::twisted},         SignKey{'b', Sign::untwisted},        SignKey{'c', Sign::start_on_corner},
-    SignKey{'m', Sign::start_on_end},    SignKey{'f', Sign::end_on_corner},    SignKey{'p', Sign::ends_together},
-    SignKey{'n', Sign::arms_crossed}};
+inline constexpr std::array sign_keys{SignKey{'l', Sign::starts_together}, SignKey{'o', Sign::corners_together},
+                                      SignKey{'o', Sign::corners_parted},  SignKey{'b', Sign::twisted},
+                                      SignKey{'b', Sign::untwisted},       SignKey{'c', Sign::start_on_corner},
+                                      SignKey{'m', Sign::start_on_end},    SignKey{'f', Sign::end_on_corner},
+                                      SignKey{'p', Sign::ends_together},   SignKey{'n', Sign::arms_crossed}};
 /// The sign that a key stands for in a mode; none where it means nothing there.
 std::optional<Sign> sign_of(char key, const CompareMode& mode);
 

@@ -63,7 +63,8 @@ void Comparison::update_menu(Duration step) {
   std::optional<Vec3> tip;
   if (hands_[menu_hand_].visible())
     tip = hands_[menu_hand_].T_world_marker * place_of(carried_by(menu_hand_).points, StickPoint::start);
-  if (const std::optional<char> picked = menu_.update(tip, T_world_camera_.translation, step, now_)) take_entry(*picked);
+  if (const std::optional<char> picked = menu_.update(tip, T_world_camera_.translation, step, now_))
+    take_entry(*picked);
   view_.menu = menu_.view();
 }
 

@@ -16,8 +16,8 @@ constexpr std::array places{StickPoint::start, StickPoint::corner, StickPoint::e
 constexpr Touch arms{StickPoint::arm, StickPoint::arm};
 // The part of an arm in which another crosses it, from its middle to either side, over its length.
 constexpr double crossed_part = 0.25;
-// The sine of the angle at which they cross: arms that lie along each other, as where a tip is at a corner, do not. From
-// the first to the second what is near counts as nearer.
+// The sine of the angle at which they cross: arms that lie along each other, as where a tip is at a corner, do not.
+// From the first to the second what is near counts as nearer.
 constexpr double along_each_other = 0.5, across_each_other = 0.7;
 
 /// The line along which an arm may be crossed.

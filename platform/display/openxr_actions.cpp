@@ -116,7 +116,8 @@ bool OpenXrActions::pressed(const Button& button) const {
   auto info = typed<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
   info.action = button.action;
   auto state = typed<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
-  check(xrGetActionStateBoolean(session_, &info, &state), "the OpenXR runtime does not say whether a button is pressed");
+  check(xrGetActionStateBoolean(session_, &info, &state),
+        "the OpenXR runtime does not say whether a button is pressed");
   return state.isActive && state.changedSinceLastSync && state.currentState;
 }
 

@@ -7,8 +7,8 @@
 
 namespace onestroke {
 
-/// The buttons of whatever controllers the runtime has: one goes on in the menu, one picks, and one opens and closes it.
-/// Without a controller nothing is ever pressed.
+/// The buttons of whatever controllers the runtime has: one goes on in the menu, one picks, and one opens and closes
+/// it. Without a controller nothing is ever pressed.
 class OpenXrActions {
  public:
   /// Before the session begins. Instance and session outlive this. Throws OpenXrError.

@@ -71,6 +71,11 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.seconds, 2.5);
 }
 
+TEST(CommandLine, RunWaitsForAHeadset) {
+  EXPECT_FALSE(parsed<RunOptions>("run --display openxr").wait);
+  EXPECT_TRUE(parsed<RunOptions>("run --display openxr --wait").wait);
+}
+
 TEST(CommandLine, RunWritesASessionDownOrShowsItAgain) {
   EXPECT_EQ(parsed<RunOptions>("run").log, "");
   EXPECT_EQ(parsed<RunOptions>("run --log none").log, "none");
@@ -145,6 +150,8 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "run --display offscreen",
                          "run --display window:2",
                          "run --display openxr:2",
+                         "run --wait",
+                         "run --display window --wait",
                          "run --gpu",
                          "run --gpu=",
                          "run --mode slow",

@@ -18,9 +18,7 @@ std::size_t entry_of(char key) {
 /// A menu that was opened by hands in front of a camera that stands somewhere, and what was picked from it.
 class CompareMenuTest : public testing::Test {
  protected:
-  CompareMenuTest() {
-    open({0, 40, 400});
-  }
+  CompareMenuTest() { open({0, 40, 400}); }
   void open(Vec3 place_in_camera) {
     menu_.open(camera_ * place_in_camera, camera_, now());
     set_entries();

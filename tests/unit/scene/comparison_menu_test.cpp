@@ -96,8 +96,8 @@ TEST_F(ComparisonMenu, ChangesModes) {
   part();
   open();
   const auto words = [this](char key) {
-    return view().menu.entries[static_cast<std::size_t>(
-        std::ranges::find(menu_entries, key, &MenuEntry::key) - menu_entries.begin())];
+    return view().menu.entries[static_cast<std::size_t>(std::ranges::find(menu_entries, key, &MenuEntry::key) -
+                                                        menu_entries.begin())];
   };
   EXPECT_EQ(words('c').words, "End the cut");
   EXPECT_FALSE(words('l').offered);
@@ -191,8 +191,7 @@ TEST(Menu, WhatIsMeantIsPicked) {
     // Below the eyes.
     place_of_left.y = std::abs(place_of_left.y);
     // Each arm leans over to the other hand's side, the right one in front.
-    const Pose left{exp_so3({0, 0, std::numbers::pi / 4}) * exp_so3({0, std::numbers::pi, 0}) * lean(),
-                    place_of_left};
+    const Pose left{exp_so3({0, 0, std::numbers::pi / 4}) * exp_so3({0, std::numbers::pi, 0}) * lean(), place_of_left};
     const Quat q = exp_so3({0, 0, -std::numbers::pi / 4}) * lean();
     const Vec3 middle{0, -arm / 2, 0};
     const Vec3 crossed = left * middle - Vec3{0, 0, 8} - rotate(q, middle);
