@@ -73,7 +73,7 @@ inline constexpr const char* run_examples = R"(Examples:
   onestroke run --replay session.jsonl --display offscreen:again
 
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
-section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.
+section, measure, freeze, snapshot, card, menu; with one stick: turn_x, turn_y, turn_z, still.
 
 Keys in a window: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or
 by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is

@@ -164,6 +164,26 @@ constexpr std::array card_right{
     Key{6.5, 8.6, middle, {75, 4, 400}, {-10, 16, 0}},
 };
 
+// Crossed start arms, then the tip held before "Cards", which shows them; and once more, which hides them. The menu hangs
+// 100 mm above where the arms cross.
+constexpr Vec3 left_crossed{-25, 78, 405}, right_crossed{25, 78, 395}, cards_entry{0, -34, 396};
+constexpr std::array menu_left{
+    Key{0.0, 0.4, corner, {-80, 62, 405}, {180, 16, 10}},
+    Key{1.4, 2.7, corner, left_crossed, {180, 16, 45}},  // start arms crossed
+    Key{3.7, 6.6, corner, {-85, 62, 405}, {180, 16, 0}},
+    Key{7.6, 8.9, corner, left_crossed, {180, 16, 45}},  // and again
+    Key{9.9, 13.4, corner, {-80, 62, 405}, {180, 16, 10}},
+};
+constexpr std::array menu_right{
+    Key{0.0, 0.4, corner, {80, 62, 395}, {0, 16, -10}},
+    Key{1.4, 2.7, corner, right_crossed, {0, 16, -45}},  // start arms crossed
+    Key{3.9, 5.2, start, cards_entry, {0, 16, -20}},     // picks
+    Key{6.3, 6.6, corner, {85, 62, 395}, {0, 16, 0}},
+    Key{7.6, 8.9, corner, right_crossed, {0, 16, -45}},  // and again
+    Key{10.1, 11.4, start, cards_entry, {0, 16, -20}},   // picks
+    Key{12.6, 13.4, corner, {80, 62, 395}, {0, 16, -10}},
+};
+
 struct Entry {
   ScriptKind kind;
   ModeScript script;
@@ -178,6 +198,7 @@ constexpr std::array scripts{
     Entry{ScriptKind::freeze, {13.4, freeze_left, freeze_right, {}, {{-38, 10, 400}, freeze_head}}},
     Entry{ScriptKind::snapshot, {9, snapshot_left, snapshot_right, {}, {}}},
     Entry{ScriptKind::card, {8.6, card_left, card_right, {}, {}}},
+    Entry{ScriptKind::menu, {13.4, menu_left, menu_right, {}, {}}},
 };
 
 }  // namespace
