@@ -2,6 +2,7 @@
 // simulated headset. CMake runs this with with_monado.
 #include "core/error.h"
 #include "display/openxr.h"
+#include "display/openxr_wait.h"
 #include "golden/comparator.h"
 #include "golden/solids.h"
 #include "golden/stage.h"
@@ -349,6 +350,18 @@ TEST(NoClock, IsSaidWithTheRemedy) {
 
 TEST(NoService, IsSaidWithTheRemedy) {
   EXPECT_THAT(refusal(), HasSubstr("the OpenXR runtime does not answer: start its service"));
+}
+
+TEST(NoService, IsWaitedForUntilSomebodyGivesUp) {
+  static const Time began = Time::now();
+  const auto give_up = [] { return Time::now() - began > Duration::from_seconds(2.5); };
+  try {
+    wait_for_headset(give_up);
+    ADD_FAILURE() << "there is one";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the OpenXR runtime does not answer: start its service"));
+  }
+  EXPECT_TRUE(give_up());
 }
 
 }  // namespace
