@@ -55,8 +55,9 @@ void draw_menu(SceneBuilder& scene, const View& view, const MenuView& menu) {
   for (std::size_t i = 0; i < menu.entries.size(); ++i)
     add(menu.entries[i].words, MenuView::place_of(i), menu.entries[i].offered ? 1 : 0.25,
         menu.pointed == i ? pointed_plate : Label{}.plate);
-  if (menu.progress > 0)
-    scene.gauges.push_back(ring(menu.pointer_world, 1.1 * text_em(view), menu.progress, menu.amount));
+  // Before the words.
+  const Vec3 pointer = menu.pointer_world - rotate(menu.T_world_menu.rotation, {0, 0, menu_text_mm});
+  if (menu.progress > 0) scene.gauges.push_back(ring(pointer, 1.1 * text_em(view), menu.progress, menu.amount));
 }
 
 void draw_plane(SceneBuilder& scene, const View& view, const SectionPlane& plane, Vec3 middle, double reach,

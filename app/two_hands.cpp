@@ -173,7 +173,7 @@ void TwoHands::add_labels(const View& view) {
     const bool has_model = entry && entry->model;
     const Similarity& T = hand.world_from_marker;
     hands[count] = &hand;
-    opacity[count] = hand.opacity * hand.shown * (1 - hand.card);
+    opacity[count] = hand.opacity * hand.shown * (1 - hand.card) * (1 - compared.menu.amount);
     wishes[count++] = {hand.label.view(), has_model ? T * entry->placement.pivot : T.translation,
                        has_model ? T.scale * entry->placement.reach : axis_length};
   }

@@ -15,7 +15,7 @@ static_assert(menu_entries[CompareMenu::leave_entry].key == 'q');
 constexpr double above_mm = 100;
 constexpr double nearest_mm = 300, farthest_mm = 600;
 // How far from the middle of the picture it may hang, as x / z and y / z.
-constexpr double aside = 0.12, up = 0.16;
+constexpr double aside = 0.12, up = 0.12;
 
 }  // namespace
 
