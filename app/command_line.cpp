@@ -97,6 +97,7 @@ void add_run(CLI::App& program, RunOptions& options) {
                       {"additive", More::none},
                       {"passthrough", More::none}},
                      "auto, camera, alpha, additive or passthrough"));
+  run.add_flag("--wait", options.wait, help::wait);
   run.add_flag("--stereo", options.stereo, help::stereo);
   run.add_flag_callback(
       "--no-mirror", [&options] { options.mirror = false; }, help::no_mirror);
@@ -203,6 +204,11 @@ void check_threads(const Program& program, const TrackOptions& options) {
                       " needs --independent: pictures that follow each other are tracked one after the other");
 }
 
+void check_wait(const Program& program, const RunOptions& options) {
+  if (options.wait && options.display != "openxr")
+    refuse(program, "--wait is for a headset: give --display openxr with it, or leave it out");
+}
+
 void check_lens_known(const Program& program, const SourceOptions& options) {
   if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
   refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
@@ -240,6 +246,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
   }
   if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");
   check_worn(program, program.run);
+  check_wait(program, program.run);
   if (program.run.replay.empty())
     check_lens_known(program, program.run.source);
   else if (program.app.get_subcommand("run")->count("--camera") == 0)

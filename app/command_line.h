@@ -27,7 +27,8 @@ enum class PictureTime {
 struct RunOptions {
   SourceOptions source;
   std::string
-      display;  ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
+      display;        ///< window, openxr or offscreen:DIR; empty for a window where there is a display, else off-screen
+  bool wait = false;  ///< For a headset that is not there yet.
   std::filesystem::path catalog;    ///< Empty for the demo's own.
   World world = World::automatic;   ///< In a headset.
   bool stereo = false;              ///< Off-screen: a pair of eyes, side by side.

@@ -4,6 +4,8 @@ namespace onestroke {
 namespace {
 
 constexpr Color ring_color{0.95F, 0.72F, 0.1F, 1}, line_color{1, 1, 1, 0.9F};
+constexpr Color pointed_plate{0.01F, 0.06F, 0.16F, 0.95F};
+constexpr double menu_text_mm = 9;
 
 /// So many pixels above a place, as the view sees it.
 Vec3 above(const View& view, Vec3 place_world, double pixels) {
@@ -38,6 +40,24 @@ void draw_offer(SceneBuilder& scene, const View& view, const OfferView& offer) {
   scene.gauges.push_back(ring(offer.place_world, radius, offer.progress));
   if (offer.words.empty()) return;
   add_label(scene, view, offer.words, offer.place_world, radius + 0.5 * em, 1);
+}
+
+void draw_menu(SceneBuilder& scene, const View& view, const MenuView& menu) {
+  if (menu.amount <= 0) return;
+  const auto add = [&](std::string_view words, Vec3 place, double opacity, const Color& plate) {
+    Label label = label_on_top(words, menu.T_world_menu * place, 0, opacity * menu.amount, plate);
+    label.height_mm = menu_text_mm;
+    label.height_px = 0;
+    scene.labels.push_back(label);
+  };
+  const Vec3 above = MenuView::place_of(menu_columns / 2) - Vec3{0, CompareMenu::cell_height, 0};
+  add("Hold the red tip on an entry", above, 1, {0, 0, 0, 0});
+  for (std::size_t i = 0; i < menu.entries.size(); ++i)
+    add(menu.entries[i].words, MenuView::place_of(i), menu.entries[i].offered ? 1 : 0.25,
+        menu.pointed == i ? pointed_plate : Label{}.plate);
+  // Before the words.
+  const Vec3 pointer = menu.pointer_world - rotate(menu.T_world_menu.rotation, {0, 0, menu_text_mm});
+  if (menu.progress > 0) scene.gauges.push_back(ring(pointer, 1.1 * text_em(view), menu.progress, menu.amount));
 }
 
 void draw_plane(SceneBuilder& scene, const View& view, const SectionPlane& plane, Vec3 middle, double reach,

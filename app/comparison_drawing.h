@@ -10,6 +10,9 @@ namespace onestroke {
 /// What the sticks are about to do: its words and a ring that fills. One thread; allocates nothing.
 void draw_offer(SceneBuilder& scene, const View& view, const OfferView& offer);
 
+/// The menu's entries where they hang, what to do, and a ring where the tip points.
+void draw_menu(SceneBuilder& scene, const View& view, const MenuView& menu);
+
 /// The plane that cuts a model, as a frame round the model's ball. `opacity` with which it stands out.
 void draw_plane(SceneBuilder& scene, const View& view, const SectionPlane& plane, Vec3 middle, double reach,
                 double opacity);

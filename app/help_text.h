@@ -43,6 +43,8 @@ inline constexpr const char* world =
     "itself, as the headset shows it under what is drawn), passthrough (the headset's own cameras, by "
     "XR_FB_passthrough), auto (camera; in a headset that cannot cover the world alpha, or else additive). All but "
     "camera draw no picture, and predict models to when they are seen. Default: auto";
+inline constexpr const char* wait =
+    "With --display openxr: wait for a runtime and a headset that are not there yet, rather than fail";
 inline constexpr const char* stereo = "Off-screen: a picture for each eye, side by side";
 inline constexpr const char* no_mirror =
     "Headset: no window beside it. Otherwise there is one that shows what the left eye sees and hears keys, where "
@@ -80,12 +82,16 @@ inline constexpr const char* run_examples = R"(Examples:
   onestroke run --replay session.jsonl --display offscreen:again
 
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
-section, measure, freeze, snapshot, card; with one stick: turn_x, turn_y, turn_z, still.
+section, measure, freeze, snapshot, card, menu; with one stick: turn_x, turn_y, turn_z, still.
 
-Keys in a window, that beside a headset too: L links the two models, mirrors them, parts them again; O lays one over the
-other, B by their best fit or by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a
-snapshot; I shows what is known of the models; X exchanges the hands; H hides words and figures; Space pauses; Q or Escape
-ends.)";
+Keys in a window, that beside a headset too: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or
+by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is
+known of the models; X exchanges the hands; H hides words and figures; R puts the world's origin where a headset's head is;
+N opens and closes a menu of all this, Tab goes on in it and Enter picks; Space pauses; Q or Escape ends.
+
+Without a keyboard: cross the start arms of both sticks until the ring is full, then hold a red tip before what is to be
+picked. A headset's controllers: left trigger goes on, right one picks, either opens the menu. Hands without sticks: thumb
+and forefinger tapped together do the same.)";
 
 inline constexpr const char* track = "Find the markers' poses and write them, one line of JSON a picture";
 inline constexpr const char* track_output = "Where the lines go; replaces the file. Default: standard output";

@@ -64,6 +64,7 @@ SourceOptions source_for(SourceOptions source, bool offscreen) {
 
 DisplayOptions display_options(const RunOptions& options, bool offscreen, double rate) {
   DisplayOptions display{.world = options.world, .mirror = options.mirror, .rate = rate};
+  if (options.wait) display.give_up = interrupted;
   if (!options.stereo) return display;
   if (!offscreen)
     throw UsageError(
@@ -128,6 +129,7 @@ Stage prepare(const RunOptions& options) {
 /// A head that sees must be there before its camera; other displays come when pictures do.
 HeadMount find_head(Stage& stage, const RunOptions& options) {
   if (stage.spec != "openxr") return {};
+  if (options.wait) catch_interrupt();
   stage.display = open_display(stage.spec, display_options(options, stage.offscreen, screen_rate));
   return {.head = stage.display.get(), .T_head_camera = {}};
 }

@@ -16,7 +16,7 @@ class SceneBuilder {
  public:
   InlineVector<ModelInstance, 8 + max_markers_per_frame> instances;
   InlineVector<Line, 32> lines;
-  InlineVector<Label, 12> labels;
+  InlineVector<Label, 28> labels;
   InlineVector<Gauge, 8> gauges;
   InlineVector<HudBox, 64> boxes;
   InlineVector<HudText, 24> texts;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace onestroke {
 
@@ -53,6 +54,7 @@ void Show::run(const ShowLimits& limits, const std::function<void(std::size_t pi
     if (goes_on && !over)
       for (const Key key : parts_.feed.keys()) press(key);
     show(frame, next == Feed::Next::picture);
+    going = press(std::exchange(asked_, Key::none)) && going;
     if (!again && !over) write_down(next == Feed::Next::picture);
     // A frame that went with the GPU is drawn once more.
     again = !over && lost();
@@ -86,9 +88,9 @@ void Show::recover(Time now) {
 }
 
 bool Show::press(Key key) {
-  const int letter = static_cast<int>(key);
-  if (letter >= 'a' && letter <= 'z') hands_.press(static_cast<char>(letter));
+  if (const int character = static_cast<int>(key); character < 128) hands_.press(static_cast<char>(character));
   if (key == Key{'h'}) hands_.toggle_words();
+  if (key == Key{'r'}) parts_.display.recentre();
   if (key == Key::space) {
     paused_ = !paused_;
     parts_.feed.hold();
@@ -157,6 +159,7 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   hands_.say(notice());
   FrameScene scene = hands_.update(record, parts_.feed.now(), frame.seen(), status);
   scene.fingers = fingers_;
+  if (const char asked = hands_.comparison().asked_key) asked_ = Key{asked};
   if (hands_.comparison().snapshot) take_snapshot(scene, frame.views[0]);
   if (desktop && hands_.words()) scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
   if (shows_world_) {

@@ -84,6 +84,7 @@ class Show {
   std::optional<Latency> latency_;  // of the last frame that was drawn
   std::optional<Time> lost_at_, snapshot_at_;
   bool paused_ = false;
+  Key asked_ = Key::none;  // by the menu, in the frame that was drawn last
   Snapshots snapshots_;
 };
 

@@ -62,6 +62,7 @@ const FrameScene& TwoHands::update(const FrameRecord& record, Time now, std::spa
     add_cards(view);
     add_planes(view);
     measure_.draw(builder_, view, comparison_.view().measure);
+    draw_menu(builder_, view, comparison_.view().menu);
     if (comparison_.view().offer) draw_offer(builder_, view, *comparison_.view().offer);
     const double em = text_em(view);
     area_ = hud_area(views, options_.worn);
@@ -172,7 +173,7 @@ void TwoHands::add_labels(const View& view) {
     const bool has_model = entry && entry->model;
     const Similarity& T = hand.world_from_marker;
     hands[count] = &hand;
-    opacity[count] = hand.opacity * hand.shown * (1 - hand.card);
+    opacity[count] = hand.opacity * hand.shown * (1 - hand.card) * (1 - compared.menu.amount);
     wishes[count++] = {hand.label.view(), has_model ? T * entry->placement.pivot : T.translation,
                        has_model ? T.scale * entry->placement.reach : axis_length};
   }

@@ -82,6 +82,10 @@ class Display : public HeadTracker {
   virtual bool shows_world() const { return false; }
   std::optional<Pose> head_at(Time) const override { return std::nullopt; }
 
+  /// Moves the world's origin to where the head is, upright and looking ahead, from the next begin() on. False where no
+  /// head is tracked.
+  virtual bool recentre() { return false; }
+
   /// Ends the show: waits, and finishes files. Throws Error with what went wrong since attach(). Harmless when called
   /// twice.
   virtual void finish() = 0;

@@ -11,9 +11,13 @@ bool holds(const std::optional<T>& wanted, T is) {
   return !wanted || *wanted == is;
 }
 
+std::string upper_case(char key) {
+  return std::string(1, static_cast<char>(key - 'a' + 'A'));
+}
+
 std::string key_of(Sign sign) {
   const auto found = std::ranges::find(sign_keys, sign, &SignKey::sign);
-  return found == sign_keys.end() ? std::string() : std::string(1, static_cast<char>(found->key - 'a' + 'A'));
+  return found == sign_keys.end() ? std::string() : upper_case(found->key);
 }
 
 std::string mode_name(const std::optional<Tool>& tool, const std::optional<Link>& link) {
@@ -25,6 +29,7 @@ std::string mode_name(const std::optional<Tool>& tool, const std::optional<Link>
 std::string result_of(const ModeRule& rule) {
   if (rule.act == Act::freeze) return "the touched model is held, or let go";
   if (rule.act == Act::snapshot) return "a snapshot is saved";
+  if (rule.act == Act::menu) return "the menu is opened, or closed";
   if (rule.to_link) return std::string(name_of(*rule.to_link));
   return rule.to_tool == Tool::none ? "what was before" : std::string(name_of(rule.to_tool.value_or(Tool::none)));
 }
@@ -44,6 +49,7 @@ CompareMode after(const CompareMode& mode, const ModeRule& rule) {
 
 std::optional<Sign> sign_of(Touch touch) {
   const auto either = [&touch](StickPoint a, StickPoint b) { return touch == Touch{a, b} || touch == Touch{b, a}; };
+  if (either(StickPoint::arm, StickPoint::arm)) return Sign::arms_crossed;
   if (either(StickPoint::start, StickPoint::start)) return Sign::starts_together;
   if (either(StickPoint::end, StickPoint::end)) return Sign::ends_together;
   if (either(StickPoint::corner, StickPoint::corner)) return Sign::corners_together;
@@ -69,10 +75,10 @@ std::string_view name_of(Tool tool) {
 }
 
 std::string_view name_of(Sign sign) {
-  constexpr std::array<std::string_view, 10> names{
+  constexpr std::array<std::string_view, 11> names{
       "start tips together",     "end tips together",        "corners together",      "corners parted",
-      "start tip on the corner", "start tip on the end tip", "end tip on the corner", "one stick twisted",
-      "one stick twisted back",  "a stick out of sight"};
+      "start tip on the corner", "start tip on the end tip", "end tip on the corner", "start arms crossed",
+      "one stick twisted",       "one stick twisted back",   "a stick out of sight"};
   return names[static_cast<std::size_t>(sign)];
 }
 
@@ -104,6 +110,13 @@ std::string mode_diagram() {
     text += "  " + box(*r.tool) + " --> " + box(*r.to_tool) + ": " + std::string(name_of(r.sign)) + "\n";
   }
   return text;
+}
+
+std::string menu_table() {
+  std::string table = "| entry | key | does |\n|---|---|---|\n";
+  for (const MenuEntry& e : menu_entries)
+    table += "| " + std::string(e.words) + " | " + upper_case(e.key) + " | " + std::string(e.does) + " |\n";
+  return table;
 }
 
 }  // namespace onestroke

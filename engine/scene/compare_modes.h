@@ -32,13 +32,14 @@ enum class Sign {
   start_on_corner,  ///< One stick's start tip on the other's corner.
   start_on_end,     ///< One stick's start tip on the other's end tip.
   end_on_corner,    ///< One stick's end tip on the other's corner.
+  arms_crossed,     ///< Both start arms, away from their ends.
   twisted,          ///< One turned far against the other, since they were brought together.
   untwisted,        ///< And back.
   stick_gone,       ///< One of them was not seen for a while.
 };
 
 /// What happens once, besides a change of the mode.
-enum class Act { none, freeze, snapshot };
+enum class Act { none, freeze, snapshot, menu };
 
 /// One line of the table of modes. What a rule leaves open holds for any, and stays as it is.
 struct ModeRule {
@@ -71,6 +72,7 @@ inline constexpr std::array mode_rules{
     ModeRule{Tool::measure, {}, Sign::stick_gone, Tool::none, {}, ""},
     ModeRule{{}, {}, Sign::end_on_corner, {}, {}, "Freeze", Act::freeze},
     ModeRule{{}, {}, Sign::ends_together, {}, {}, "Snapshot", Act::snapshot},
+    ModeRule{{}, {}, Sign::arms_crossed, {}, {}, "Menu", Act::menu},
 };
 
 /// The rule for a sign in a mode; null where it means nothing there.
@@ -85,12 +87,35 @@ struct SignKey {
   char key;
   Sign sign;
 };
-inline constexpr std::array sign_keys{
-    SignKey{'l', Sign::starts_together}, SignKey{'o', Sign::corners_together}, SignKey{'o', Sign::corners_parted},
-    SignKey{'b', Sign::twisted},         SignKey{'b', Sign::untwisted},        SignKey{'c', Sign::start_on_corner},
-    SignKey{'m', Sign::start_on_end},    SignKey{'f', Sign::end_on_corner},    SignKey{'p', Sign::ends_together}};
+inline constexpr std::array sign_keys{SignKey{'l', Sign::starts_together}, SignKey{'o', Sign::corners_together},
+                                      SignKey{'o', Sign::corners_parted},  SignKey{'b', Sign::twisted},
+                                      SignKey{'b', Sign::untwisted},       SignKey{'c', Sign::start_on_corner},
+                                      SignKey{'m', Sign::start_on_end},    SignKey{'f', Sign::end_on_corner},
+                                      SignKey{'p', Sign::ends_together},   SignKey{'n', Sign::arms_crossed}};
 /// The sign that a key stands for in a mode; none where it means nothing there.
 std::optional<Sign> sign_of(char key, const CompareMode& mode);
+
+/// What the menu offers, and the key that does the same: a sign's, or one that the program knows besides.
+struct MenuEntry {
+  char key;
+  std::string_view words;  ///< Where the mode has none of its own.
+  std::string_view does;
+};
+/// Row by row, menu_columns in each.
+inline constexpr std::array menu_entries{
+    MenuEntry{'l', "Link", "links the two models, mirrors them, parts them again"},
+    MenuEntry{'o', "Lay over", "lays one model over the other, or ends that"},
+    MenuEntry{'b', "Best fit", "lays it by the best fit, or by their own frames"},
+    MenuEntry{'c', "Cut", "cuts one model by the other's stick, or ends that"},
+    MenuEntry{'m', "Measure", "measures, or ends that"},
+    MenuEntry{'f', "Freeze", "holds a model where it is, or lets it go"},
+    MenuEntry{'p', "Snapshot", "saves a snapshot"},
+    MenuEntry{'i', "Cards", "shows or hides what is known of the models"},
+    MenuEntry{'h', "Words", "shows or hides words and figures"},
+    MenuEntry{'x', "Exchange hands", "exchanges the hands"},
+    MenuEntry{'r', "Recentre", "puts the world's origin where the head is, in a headset"},
+    MenuEntry{'q', "Leave", "ends the program"}};
+inline constexpr int menu_columns = 3;
 
 std::string_view name_of(Link link);
 std::string_view name_of(Tool tool);
@@ -99,5 +124,7 @@ std::string_view name_of(Sign sign);
 /// The table as a Markdown one, and as a diagram in Mermaid's words, as they stand in the manual.
 std::string mode_table();
 std::string mode_diagram();
+/// The menu's entries as a Markdown table, too.
+std::string menu_table();
 
 }  // namespace onestroke

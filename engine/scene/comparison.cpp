@@ -16,6 +16,11 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr double no_turn = 0.5 / degrees;
 const CarriedModel nothing;
 
+/// What hands that point into the menu do besides.
+bool made_in_passing(Sign sign) {
+  return sign != Sign::arms_crossed && sign != Sign::corners_parted && sign != Sign::stick_gone;
+}
+
 }  // namespace
 
 Comparison::Comparison(std::span<const CarriedModel> carried, const ComparisonOptions& options)
@@ -30,7 +35,8 @@ void Comparison::set_fit(const std::optional<Similarity>& base_from_laid) {
 }
 
 bool Comparison::press(char key) {
-  const bool known = key == 'x' || key == 'i' || std::ranges::find(sign_keys, key, &SignKey::key) != sign_keys.end();
+  const bool known = key == 'x' || key == 'i' || key == next_entry || key == pick_entry ||
+                     std::ranges::find(sign_keys, key, &SignKey::key) != sign_keys.end();
   if (known && key_count_ < keys_.size()) keys_[key_count_++] = key;
   return known;
 }
@@ -38,7 +44,9 @@ bool Comparison::press(char key) {
 const ComparisonView& Comparison::update(const FrameRecord& record, Time now) {
   const Duration step = frames_.step_to(now);
   T_world_camera_ = record.T_world_camera;
+  now_ = now;
   view_.snapshot = false;
+  view_.asked_key = 0;
   view_.event_count = 0;
   if (hands_.update(record, now)) exchange_hands();
   for (const Hand h : both_hands) {
@@ -48,6 +56,7 @@ const ComparisonView& Comparison::update(const FrameRecord& record, Time now) {
   view_.both_visible = hands_[Hand::left].visible() && hands_[Hand::right].visible();
   press_keys();
   look_for_signs(now);
+  update_menu(step);
   choose_leader(now);
   laid_.update(mode_.laid_over(), step);
   const Hand first = mode_.laid_over() ? base_ : other(pointer_);
@@ -73,6 +82,7 @@ void Comparison::exchange_hands() {
   leader_ = other(leader_);
   pointer_ = other(pointer_);
   base_ = other(base_);
+  menu_hand_ = other(menu_hand_);
 }
 
 // A stick that comes anew, or comes back after it has faded, starts with no past. A model that is frozen stays without
@@ -116,6 +126,7 @@ void Comparison::follow_card(Hand h, Duration step, Time now) {
 void Comparison::press_keys() {
   for (const char key : std::span(keys_).first(std::exchange(key_count_, 0))) {
     if (key == 'i') cards_ = !cards_;
+    if (key == next_entry || key == pick_entry) press_menu_key(key);
     if (key == 'x' && hands_.exchange()) exchange_hands();
     if (const std::optional<Sign> sign = sign_of(key, mode_)) apply({*sign, {}});
   }
@@ -130,7 +141,8 @@ void Comparison::look_for_signs(Time now) {
     for (std::size_t i = 0; i < pair.points[0].size(); ++i)
       pair.points[static_cast<std::size_t>(h)][i] = hands_[h].T_world_marker * carried_by(h).points[i];
   pair.right_to_left = right_to_left();
-  if (const std::optional<MadeSign> made = signs_.update(pair, mode_, now)) apply(*made);
+  const std::optional<MadeSign> made = signs_.update(pair, mode_, now);
+  if (made && !(menu_.is_open() && made_in_passing(made->sign))) apply(*made);
 }
 
 Quat Comparison::right_to_left() const {
@@ -138,15 +150,20 @@ Quat Comparison::right_to_left() const {
                     hands_[Hand::right].T_world_marker.rotation);
 }
 
+void Comparison::tell(std::string_view words) {
+  if (view_.event_count < static_cast<int>(view_.events.size()))
+    view_.events[static_cast<std::size_t>(view_.event_count++)] = words;
+}
+
 void Comparison::apply(const MadeSign& made) {
   const ModeRule* rule = find_rule(mode_, made.sign);
   if (!rule) return;
   const CompareMode before = std::exchange(mode_, after(mode_, *rule));
   changed_ = true;
-  if (view_.event_count < static_cast<int>(view_.events.size()))
-    view_.events[static_cast<std::size_t>(view_.event_count++)] = words_of(*rule, made);
+  tell(words_of(*rule, made));
   if (rule->act == Act::snapshot) view_.snapshot = true;
   if (rule->act == Act::freeze) freeze(made);
+  if (rule->act == Act::menu) toggle_menu();
   if (mode_.link == Link::mirrored && before.link != Link::mirrored)
     mirror_normal_ = rotate(T_world_camera_.rotation, {1, 0, 0});
   if (before.tool != Tool::none || mode_.tool == Tool::none) return;
@@ -160,6 +177,7 @@ void Comparison::apply(const MadeSign& made) {
 
 std::string_view Comparison::words_of(const ModeRule& rule, const MadeSign& made) const {
   if (rule.act == Act::freeze && motion(to_freeze(made)).frozen) return "Let go";
+  if (rule.act == Act::menu && menu_.is_open()) return "Close the menu";
   return rule.words.empty() ? "End" : rule.words;
 }
 
@@ -229,6 +247,7 @@ void Comparison::fill_offer() {
   view_.offer.reset();
   if (!signs_.offer()) return;
   const OfferedSign& offered = *signs_.offer();
+  if (menu_.is_open() && made_in_passing(offered.made.sign)) return;
   const ModeRule* rule = find_rule(mode_, offered.made.sign);
   if (!rule) return;
   view_.offer = OfferView{words_of(*rule, offered.made), offered.place_world, offered.progress};

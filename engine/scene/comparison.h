@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame_record.h"
+#include "scene/compare_menu.h"
 #include "scene/comparison_view.h"
 #include "scene/hands.h"
 #include "scene/measuring.h"
@@ -58,8 +59,11 @@ class Comparison {
   /// known, or not yet.
   void set_fit(const std::optional<Similarity>& base_from_laid);
 
-  /// What a key does happens with the next update: those of sign_keys, x (exchanges the hands) and i (the cards).
-  /// False where it means nothing.
+  /// Keys that go through the menu without a stick, and open it where it is closed.
+  static constexpr char next_entry = '\t', pick_entry = '\n';
+
+  /// What a key does happens with the next update: those of sign_keys, x (exchanges the hands), i (the cards), and the
+  /// menu's two. False where it means nothing.
   bool press(char key);
   /// One frame. `now` is the time that the frame shows; it does not go back.
   const ComparisonView& update(const FrameRecord& record, Time now);
@@ -91,8 +95,14 @@ class Comparison {
   void follow_motion(Hand h, Duration step);
   void follow_card(Hand h, Duration step, Time now);
   void press_keys();
+  void toggle_menu();
+  void press_menu_key(char key);
+  void take_entry(char key);
+  void fill_menu_entries();
+  void update_menu(Duration step);
   void look_for_signs(Time now);
   void apply(const MadeSign& made);
+  void tell(std::string_view words);
   /// The right stick's rotation in the left one's frame.
   Quat right_to_left() const;
   /// What a sign is offered as, and written down as.
@@ -123,10 +133,12 @@ class Comparison {
   ComparisonOptions options_;
   Hands hands_;
   SignFinder signs_;
+  CompareMenu menu_;
   std::array<Motion, 2> motions_;
   CompareMode mode_;
   Hand leader_ = Hand::left;
   Hand pointer_ = Hand::right, base_ = Hand::left;  // roles, where the mode has them
+  Hand menu_hand_ = Hand::right;                    // whose tip points, while the menu is open
   std::array<char, 8> keys_{};
   std::size_t key_count_ = 0;
   bool cards_ = false, changed_ = false, plane_flipped_ = false, plane_turns_ = false;
@@ -137,6 +149,7 @@ class Comparison {
   SectionPlane plane_;
   Measuring ruler_;
   FrameSteps frames_;
+  Time now_;
   ComparisonView view_;
 };
 

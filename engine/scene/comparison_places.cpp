@@ -120,7 +120,7 @@ void Comparison::measure(Duration step, Time now) {
     const Vec3 tip = pointing_tip();
     const bool near = norm(tip - shown.middle) < shown.scale * model.reach + near_model;
     const bool makes_sign = signs_.offer() && signs_.offer()->progress > 0;
-    const bool picks = near && !makes_sign && hands_[pointer_].visible();
+    const bool picks = near && !makes_sign && !menu_.is_open() && hands_[pointer_].visible();
     ruler_.update(picks ? std::optional(tip) : std::nullopt, world_from_marker(measured),
                   model.reach > 0 ? model.marker_from_model.scale / millimetres_per_metre : 1, now);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame_record.h"
+#include "scene/compare_menu.h"
 #include "scene/compare_modes.h"
 #include "scene/hands.h"
 #include "scene/measuring.h"
@@ -55,9 +56,11 @@ struct ComparisonView {
   double laid = 0;             ///< How far it is; eased.
   MeasureView measure;
   std::optional<OfferView> offer;
+  MenuView menu;
   bool both_visible = false;
   RelativePose relative;  ///< Valid where both are visible.
   bool snapshot = false;  ///< One is asked for in this frame.
+  char asked_key = 0;     ///< A key of the program's own that was picked from the menu in this frame; 0 for none.
   /// What was done in this frame, in the words of the rules.
   std::array<std::string_view, 4> events{};
   int event_count = 0;

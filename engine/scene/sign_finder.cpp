@@ -18,8 +18,7 @@ MadeSign made_by(Touch touch) {
 }
 
 Vec3 between(const StickPair& sticks, Touch touch) {
-  return 0.5 * (sticks.points[0][static_cast<std::size_t>(touch.left)] +
-                sticks.points[1][static_cast<std::size_t>(touch.right)]);
+  return 0.5 * (place_of(sticks.points[0], touch.left) + place_of(sticks.points[1], touch.right));
 }
 
 }  // namespace

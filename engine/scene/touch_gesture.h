@@ -9,11 +9,15 @@
 
 namespace onestroke {
 
-/// The places of a bent stick that another one can touch.
-enum class StickPoint { start, corner, end };
+/// The places of a bent stick that another one can touch. The start arm, away from its ends, is touched by another's
+/// alone.
+enum class StickPoint { start, corner, end, arm };
 
-/// Where they are in the world, by StickPoint; mm.
+/// Where the first three are in the world, by StickPoint; mm.
 using StickPoints = std::array<Vec3, 3>;
+
+/// Where any of them is; of an arm, its middle.
+Vec3 place_of(const StickPoints& stick, StickPoint p);
 
 /// Which place of the left stick and which of the right one are held together.
 struct Touch {
@@ -67,6 +71,7 @@ class TouchGesture {
     Vec3 between{};
   };
   static Nearest nearest(const std::array<StickPoints, 2>& sticks);
+  static double distance(const std::array<StickPoints, 2>& sticks, Touch touch);
   void let_go();
 
   std::optional<Touch> candidate_, approached_;

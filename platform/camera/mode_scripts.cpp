@@ -164,6 +164,27 @@ constexpr std::array card_right{
     Key{6.5, 8.6, middle, {75, 4, 400}, {-10, 16, 0}},
 };
 
+// Crossed start arms, then the tip held before "Cards", which shows them; and once more, which hides them. The right
+// arm comes and goes in front of the left one. The menu hangs 100 mm above where the arms cross.
+constexpr Vec3 left_crossed{-25, 78, 405}, right_crossed{25, 78, 395}, right_in_front{25, 78, 372};
+constexpr Vec3 cards_entry{0, -34, 390};
+constexpr std::array menu_left{
+    Key{0.0, 0.3, corner, {-80, 62, 405}, {180, 16, 10}},
+    Key{1.2, 3.3, corner, left_crossed, {180, 16, 45}},  // start arms crossed
+    Key{4.2, 6.6, corner, {-85, 62, 405}, {180, 16, 0}},
+    Key{7.5, 9.6, corner, left_crossed, {180, 16, 45}},  // and again
+    Key{10.6, 13.4, corner, {-80, 62, 405}, {180, 16, 10}},
+};
+constexpr std::array menu_right{
+    Key{0.0, 0.3, corner, {80, 62, 370}, {0, 16, -10}},   Key{1.2, 1.3, corner, right_in_front, {0, 16, -45}},
+    Key{1.6, 2.9, corner, right_crossed, {0, 16, -45}},  // start arms crossed
+    Key{3.2, 3.3, corner, right_in_front, {0, 16, -45}},  Key{4.4, 5.7, start, cards_entry, {0, 16, -20}},  // picks
+    Key{6.5, 6.6, corner, {80, 62, 370}, {0, 16, -10}},   Key{7.5, 7.6, corner, right_in_front, {0, 16, -45}},
+    Key{7.9, 9.2, corner, right_crossed, {0, 16, -45}},  // and again
+    Key{9.5, 9.6, corner, right_in_front, {0, 16, -45}},  Key{10.7, 12.0, start, cards_entry, {0, 16, -20}},  // picks
+    Key{13.0, 13.4, corner, {80, 62, 370}, {0, 16, -10}},
+};
+
 struct Entry {
   ScriptKind kind;
   ModeScript script;
@@ -178,6 +199,7 @@ constexpr std::array scripts{
     Entry{ScriptKind::freeze, {13.4, freeze_left, freeze_right, {}, {{-38, 10, 400}, freeze_head}}},
     Entry{ScriptKind::snapshot, {9, snapshot_left, snapshot_right, {}, {}}},
     Entry{ScriptKind::card, {8.6, card_left, card_right, {}, {}}},
+    Entry{ScriptKind::menu, {13.4, menu_left, menu_right, {}, {}}},
 };
 
 }  // namespace

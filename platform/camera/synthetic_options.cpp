@@ -43,7 +43,7 @@ int small(std::string_view key, std::string_view value, int least, int most) {
   return static_cast<int>(whole(key, value, least, most));
 }
 
-constexpr std::array<std::pair<std::string_view, ScriptKind>, 14> scripts{{{"hands", ScriptKind::hands},
+constexpr std::array<std::pair<std::string_view, ScriptKind>, 15> scripts{{{"hands", ScriptKind::hands},
                                                                            {"side", ScriptKind::side},
                                                                            {"link", ScriptKind::link},
                                                                            {"mirror", ScriptKind::mirror},
@@ -53,6 +53,7 @@ constexpr std::array<std::pair<std::string_view, ScriptKind>, 14> scripts{{{"han
                                                                            {"freeze", ScriptKind::freeze},
                                                                            {"snapshot", ScriptKind::snapshot},
                                                                            {"card", ScriptKind::card},
+                                                                           {"menu", ScriptKind::menu},
                                                                            {"turn_x", ScriptKind::turn_x},
                                                                            {"turn_y", ScriptKind::turn_y},
                                                                            {"turn_z", ScriptKind::turn_z},

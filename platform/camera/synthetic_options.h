@@ -22,6 +22,7 @@ enum class ScriptKind {
   freeze,
   snapshot,
   card,
+  menu,
 };
 
 /// The synthetic camera's settings, as written after "synthetic:".

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "display/offscreen.h"
 #include "display/openxr.h"
+#include "display/openxr_wait.h"
 #include "display/window.h"
 
 #include <string_view>
@@ -19,8 +20,11 @@ std::unique_ptr<Display> open_display(const std::string& spec, const DisplayOpti
   if (spec == "window")
     return std::make_unique<WindowDisplay>(
         WindowOptions{.title = o.title, .width = o.width, .height = o.height, .wait_for_screen = o.wait_for_screen});
-  if (spec == "openxr")
-    return std::make_unique<OpenXrDisplay>(OpenXrOptions{.title = o.title, .world = o.world, .mirror = o.mirror});
+  if (spec == "openxr") {
+    const OpenXrOptions options{.title = o.title, .world = o.world, .mirror = o.mirror};
+    if (o.give_up) return wait_for_headset(options, o.give_up);
+    return std::make_unique<OpenXrDisplay>(options);
+  }
   if (const auto folder = offscreen_folder(spec))
     return std::make_unique<OffscreenDisplay>(OffscreenOptions{.directory = *folder,
                                                                .width = o.width,

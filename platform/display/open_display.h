@@ -18,6 +18,8 @@ struct DisplayOptions {
   /// Headset: see OpenXrOptions.
   World world = World::automatic;
   bool mirror = true;
+  /// Headset: one that is not there yet is waited for, until this says true. Null: that is an error.
+  bool (*give_up)() = nullptr;
   /// Off-screen: see OffscreenOptions.
   double rate = 30;
   int png_every = 1;

@@ -1,8 +1,10 @@
 #include "display/openxr.h"
 
 #include "core/inline_vector.h"
+#include "display/openxr_actions.h"
 #include "display/openxr_blend.h"
 #include "display/openxr_clock.h"
+#include "display/openxr_hands.h"
 #include "display/openxr_head.h"
 #include "display/openxr_mirror.h"
 #include "display/openxr_passthrough.h"
@@ -15,6 +17,7 @@
 #include <cstdio>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace onestroke {
 
@@ -30,6 +33,8 @@ struct Seat {
   std::shared_ptr<Device> device;
   OpenXrSession session;
   OpenXrSpaces spaces;
+  OpenXrActions actions;
+  OpenXrHands hands;
   OpenXrSwapchain swapchain;
   std::optional<OpenXrPassthrough> passthrough;
 
@@ -37,6 +42,8 @@ struct Seat {
       : device(std::move(gpu)),
         session(instance, *device, blend_mode_for(world)),
         spaces(session.handle()),
+        actions(instance, session.handle()),
+        hands(instance, session.handle()),
         swapchain(*device, session.handle(), session.view_size(), mirrored) {
     if (world == World::passthrough) passthrough.emplace(instance, session.handle());
   }
@@ -59,7 +66,8 @@ struct OpenXrDisplay::Impl {
   OpenXrSession::Count count;
   Time last = Time::now(), next_try;
   std::string failure;
-  bool closed = false, lost = false;
+  bool closed = false, lost = false, recentre = false;
+  InlineVector<Key, 16> keys;
 
   // What was asked for, then what was chosen, also where the runtime comes again.
   World world;
@@ -90,6 +98,10 @@ struct OpenXrDisplay::Impl {
     const XrFrameState state = seat->session.begin_frame();
     for (const auto& change : seat->session.take_space_changes())
       if (!seat->spaces.move(change)) head.forget();
+    if (std::exchange(recentre, false)) {
+      const Pose T_new_old = seat->spaces.recentre();
+      head.move(T_new_old, seat->spaces.place());
+    }
     // A runtime's first guess may lie before what was said last.
     last = std::max(last, clock->to_ours(state.predictedDisplayTime));
     const bool located = state.shouldRender && seat->spaces.locate(state.predictedDisplayTime);
@@ -118,6 +130,18 @@ struct OpenXrDisplay::Impl {
       // The frame needs its image yet; end() finds out what happened.
       return false;
     }
+  }
+
+  void poll() {
+    keys.clear();
+    const auto press = [this](Key key) { keys.push_back(key); };
+    if (mirror) std::ranges::for_each(mirror->poll(), press);
+    if (!seat) return;
+    seat->session.take_events();
+    if (!seat->session.running()) return;
+    seat->actions.poll(press);
+    const Time now = Time::now();
+    seat->hands.poll(seat->spaces.place().space, clock->to_runtime(now), now, press);
   }
 
   void end(const FrameInfo& frame) {
@@ -239,10 +263,8 @@ void OpenXrDisplay::end(const FrameInfo& frame) {
 }
 
 std::span<const Key> OpenXrDisplay::poll() {
-  impl_->guard([this] {
-    if (impl_->seat) impl_->seat->session.take_events();
-  });
-  return impl_->mirror ? impl_->mirror->poll() : std::span<const Key>();
+  impl_->guard([this] { impl_->poll(); });
+  return {impl_->keys.begin(), impl_->keys.size()};
 }
 
 bool OpenXrDisplay::closed() const {
@@ -255,6 +277,11 @@ bool OpenXrDisplay::shows_world() const {
 
 std::optional<Pose> OpenXrDisplay::head_at(Time time) const {
   return impl_->head.at(time);
+}
+
+bool OpenXrDisplay::recentre() {
+  impl_->recentre = impl_->seat.has_value();
+  return impl_->recentre;
 }
 
 bool OpenXrDisplay::gpu_lost() const {

@@ -16,8 +16,8 @@ struct OpenXrOptions {
   bool mirror = false;
 };
 
-/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space as it was at the start;
-/// recentring does not move it.
+/// A headset, by whatever OpenXR runtime is active. The world is the runtime's LOCAL space as it was at the start,
+/// which the runtime's own recentring does not move, until recentre() moves its origin.
 class OpenXrDisplay final : public Display {
  public:
   /// Throws Error where there is no runtime or no headset, or the runtime cannot do what is needed, or does not offer
@@ -39,6 +39,7 @@ class OpenXrDisplay final : public Display {
   bool tracks_head() const override { return true; }
   bool shows_world() const override;
   std::optional<Pose> head_at(Time time) const override;
+  bool recentre() override;
   void finish() override;
   std::vector<std::string> report() const override;
 

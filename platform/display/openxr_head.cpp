@@ -5,6 +5,7 @@
 #include <pthread.h>
 
 #include <chrono>
+#include <tuple>
 
 namespace onestroke {
 
@@ -44,11 +45,6 @@ void OpenXrHead::use(const OpenXrPlace& place) {
   place_ = place;
 }
 
-OpenXrPlace OpenXrHead::place() const {
-  const std::scoped_lock lock(asking_);
-  return place_;
-}
-
 void OpenXrHead::detach() {
   follower_ = {};
   source_.reset();
@@ -58,6 +54,13 @@ void OpenXrHead::detach() {
 void OpenXrHead::forget() {
   const std::scoped_lock lock(asking_);
   history_.clear();
+}
+
+void OpenXrHead::move(const Pose& T_new_old, const OpenXrPlace& place) {
+  const std::scoped_lock lock(asking_);
+  T_world_first_ = T_new_old * T_world_first_;
+  place_ = place;
+  ++moves_;
 }
 
 void OpenXrHead::follow(const std::stop_token& stop) noexcept {
@@ -72,7 +75,10 @@ void OpenXrHead::sample() {
   auto velocity = typed<XrSpaceVelocity>(XR_TYPE_SPACE_VELOCITY);
   auto location = typed<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
   location.next = &velocity;
-  const OpenXrPlace around = place();
+  const auto [around, T_world_first, moves] = [this] {
+    const std::scoped_lock lock(asking_);
+    return std::tuple(place_, T_world_first_, moves_);
+  }();
   const Time now = Time::now();
   const XrTime now_runtime = source_->clock.to_runtime(now);
   check(xrLocateSpace(*source_->head, around.space, now_runtime, &location),
@@ -83,19 +89,20 @@ void OpenXrHead::sample() {
   if ((velocity.velocityFlags & both) == both)
     moving = {.angular = direction_from_graphics(vector_of(velocity.angularVelocity)),
               .linear = direction_from_graphics(vector_of(velocity.linearVelocity)) / metres_per_millimetre};
-  const Pose& T_world_space = around.world.T_world_space(now_runtime);
+  const Pose T_first_space = inverse(T_world_first) * around.world.T_world_space(now_runtime);
   if (moving) {
-    moving->angular = rotate(T_world_space.rotation, moving->angular);
-    moving->linear = rotate(T_world_space.rotation, moving->linear);
+    moving->angular = rotate(T_first_space.rotation, moving->angular);
+    moving->linear = rotate(T_first_space.rotation, moving->linear);
   }
   const std::scoped_lock lock(asking_);
-  history_.add(now, T_world_space * pose_of(location.pose), moving);
+  // What was asked in a world that has moved meanwhile belongs to none.
+  if (moves == moves_) history_.add(now, T_first_space * pose_of(location.pose), moving);
 }
 
 std::optional<Pose> OpenXrHead::at(Time time) const {
   const std::scoped_lock lock(asking_);
   const PoseHistory::Answer answer = history_.get(time);
-  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(answer.pose);
+  return answer.kind == PoseHistory::Kind::none ? std::nullopt : std::optional(T_world_first_ * answer.pose);
 }
 
 }  // namespace onestroke

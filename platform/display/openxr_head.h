@@ -21,6 +21,8 @@ class OpenXrHead {
   void attach(const OpenXrClock& clock, XrSession session, const OpenXrPlace& place);
   /// Another place to ask in; what is remembered still holds.
   void use(const OpenXrPlace& place);
+  /// The world is another one from now on, also for what is remembered, and so is the place to ask in.
+  void move(const Pose& T_new_old, const OpenXrPlace& place);
   /// Ends that, and forgets.
   void detach();
   /// The world has moved: what was remembered holds no more.
@@ -39,12 +41,13 @@ class OpenXrHead {
 
   void follow(const std::stop_token& stop) noexcept;
   void sample();
-  OpenXrPlace place() const;
 
   std::optional<Source> source_;  // constant while the thread below lives
-  mutable std::mutex asking_;     // over the two below
+  mutable std::mutex asking_;     // over all below
   OpenXrPlace place_;
-  PoseHistory history_;
+  PoseHistory history_;  // in the world as it was at first
+  Pose T_world_first_;
+  int moves_ = 0;
   std::jthread follower_;
 };
 

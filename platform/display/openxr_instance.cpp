@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array needed{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
 // Used where they are offered.
-constexpr std::array welcome{XR_FB_PASSTHROUGH_EXTENSION_NAME, XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME};
+constexpr std::array welcome{XR_EXT_HAND_TRACKING_EXTENSION_NAME, XR_FB_PASSTHROUGH_EXTENSION_NAME,
+                             XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME};
 
 std::vector<std::string> offered_extensions() {
   std::uint32_t count = 0;

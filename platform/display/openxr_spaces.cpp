@@ -1,5 +1,6 @@
 #include "display/openxr_spaces.h"
 
+#include "display/recentring.h"
 #include "scene/frames.h"
 
 #include <algorithm>
@@ -98,7 +99,19 @@ bool OpenXrSpaces::locate_in_space(XrTime time) {
   } else {
     keep_place();
   }
+  time_ = time;
   return true;
+}
+
+// Both eyes look the way the head does, but for what they are canted.
+Pose OpenXrSpaces::recentre() {
+  if (time_ == 0) return {};
+  const Pose left = view(0).T_world_view, right = view(1).T_world_view;
+  const Quat head = exp_so3(0.5 * log_so3(right.rotation * left.rotation.conjugate())) * left.rotation;
+  const Pose T_old_new = upright({head, 0.5 * (left.translation + right.translation)});
+  place_.world.place(inverse(T_old_new) * place_.world.T_world_space(time_));
+  moved_ = true;
+  return inverse(T_old_new);
 }
 
 void OpenXrSpaces::keep_place() {

@@ -25,7 +25,8 @@ Pose pose_of(const XrPosef& pose);
 /// Where the eyes are in the world, which is the runtime's LOCAL space as it was when the eyes were first seen: its
 /// origin near where the head was, and upright. Recentring does not move it, as it does not move what is in the room:
 /// it is asked for in STAGE, which stays, where the runtime has that, and otherwise in LOCAL as the runtime says that
-/// it moves.
+/// it moves. Only
+/// recentre() moves it.
 class OpenXrSpaces {
  public:
   /// The session outlives this. Throws OpenXrError.
@@ -37,6 +38,8 @@ class OpenXrSpaces {
   bool take_moved() { return std::exchange(moved_, false); }
   /// The runtime is about to move a space. False where the world moves with it, nobody knows how far.
   bool move(const XrEventDataReferenceSpaceChangePending& change);
+  /// Moves the world's origin to where the head was found last, upright and looking ahead. T_new_old.
+  Pose recentre();
 
   /// The eyes at a time, as the runtime predicts them; false where it does not know which way the head looks. Where it
   /// loses sight of where the head is, the head stays and turns. Throws OpenXrError.

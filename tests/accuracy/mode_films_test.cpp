@@ -104,7 +104,8 @@ TEST_P(ModeFilms, ShowTheTouchesThatAreMeant) {
 INSTANTIATE_TEST_SUITE_P(All, ModeFilms,
                          testing::Values(Film{"side", 10, 0}, Film{"link", 13, 1}, Film{"mirror", 13.2, 2},
                                          Film{"overlay", 14, 1}, Film{"section", 14, 2}, Film{"measure", 13.8, 2},
-                                         Film{"freeze", 13.4, 2}, Film{"snapshot", 9, 1}, Film{"card", 8.6, 0}),
+                                         Film{"freeze", 13.4, 2}, Film{"snapshot", 9, 1}, Film{"card", 8.6, 0},
+                                         Film{"menu", 13.4, 2}),
                          [](const auto& info) { return std::string(info.param.script); });
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "desktop/x_server.h"
+#include "display/openxr_wait.h"
 
 #include <gmock/gmock.h>
 
@@ -194,6 +195,18 @@ TEST(NoClock, IsSaidWithTheRemedy) {
 
 TEST(NoService, IsSaidWithTheRemedy) {
   EXPECT_THAT(refusal(), HasSubstr("the OpenXR runtime does not answer: start its service"));
+}
+
+TEST(NoService, IsWaitedForUntilSomebodyGivesUp) {
+  static const Time began = Time::now();
+  const auto give_up = [] { return Time::now() - began > Duration::from_seconds(2.5); };
+  try {
+    wait_for_headset({}, give_up);
+    ADD_FAILURE() << "there is one";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the OpenXR runtime does not answer: start its service"));
+  }
+  EXPECT_TRUE(give_up());
 }
 
 }  // namespace

@@ -26,7 +26,10 @@ constexpr Duration looked_round = Duration::from_ms(15), longest_gap = Duration:
 
 // What Monado 25's service reads (its r_remote_data): a mark, the head, two controllers. All are still where they are
 // zero, but for the head's pose: a quaternion x y z w and metres, after those of two eyes that it does not look at.
-constexpr std::size_t record_bytes = 376, pose_at = 8 + 96;
+constexpr std::size_t record_bytes = 376, pose_at = 8 + 96, hands_at = 8 + 128, hand_bytes = 120;
+// In a controller's part: its pose, velocities, curls of five fingers, how far the trigger is pulled, then what is not
+// used here; flags for a hand and a controller that are there, and of each button whether it is clicked and touched.
+constexpr std::size_t curls_at = 52, trigger_at = 72, there_at = 104, b_at = 110, trigger_click_at = 112;
 
 using Record = std::array<char, record_bytes>;
 
@@ -38,6 +41,20 @@ Record record_of(const Pose& T_stage_head) {
   std::memcpy(record.data(), "mndrmt3", 8);
   std::memcpy(record.data() + pose_at, pose.data(), sizeof pose);
   return record;
+}
+
+void add_hand(Record& record, std::size_t which, const ScriptedHand& hand) {
+  char* const at = record.data() + hands_at + which * hand_bytes;
+  const std::array<float, 7> pose{0, 0, 0, 1, which == 0 ? -0.2F : 0.2F, 1.3F, -0.5F};
+  std::memcpy(at, pose.data(), sizeof pose);
+  std::array<float, 5> curls;
+  curls.fill(hand.curl);
+  std::memcpy(at + curls_at, curls.data(), sizeof curls);
+  const float pulled = hand.trigger ? 1 : 0;
+  std::memcpy(at + trigger_at, &pulled, sizeof pulled);
+  std::fill_n(at + there_at, 2, char{1});
+  std::fill_n(at + b_at, 2, static_cast<char>(hand.b));
+  std::fill_n(at + trigger_click_at, 2, static_cast<char>(hand.trigger));
 }
 
 int connect_to_service() {
@@ -69,6 +86,11 @@ void ScriptedHead::move() {
   moving_since_ = Time::now();
 }
 
+void ScriptedHead::use_hands(const ScriptedHand& left, const ScriptedHand& right) {
+  const std::scoped_lock lock(mutex_);
+  hands_ = {left, right};
+}
+
 void ScriptedHead::set_world(const Pose& T_world_stage) {
   const std::scoped_lock lock(mutex_);
   T_world_stage_ = T_world_stage;
@@ -79,7 +101,8 @@ void ScriptedHead::send(const std::stop_token& stop) {
     const std::scoped_lock lock(mutex_);
     const Time now = Time::now();
     const Pose pose = path_(moving_since_ ? (now - *moving_since_).seconds() : 0);
-    const Record record = record_of(pose);
+    Record record = record_of(pose);
+    for (std::size_t i = 0; hands_ && i < hands_->size(); ++i) add_hand(record, i, hands_->at(i));
     // As soon as it is written the service may have it.
     if (::send(socket_, record.data(), record.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(record.size())) return;
     sent_.push_back({Time::now(), pose});

@@ -2,12 +2,19 @@
 
 #include "core/head_tracker.h"
 
+#include <array>
 #include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace onestroke {
+
+/// What a hand does with a controller of Monado's remote headset, which is an Index, or without it.
+struct ScriptedHand {
+  bool trigger = false, b = false;
+  float curl = 0;  ///< Of all fingers: 0 is an open hand, 1 a fist.
+};
 
 /// Moves the head of Monado's remote headset, which this machine's port 4242 moves, and remembers when it was told
 /// what.
@@ -22,6 +29,8 @@ class ScriptedHead final : public HeadTracker {
   ScriptedHead(const ScriptedHead&) = delete;
 
   void move();
+  /// From now on; the hands are not there before.
+  void use_hands(const ScriptedHand& left, const ScriptedHand& right);
   /// Where the world is that head_at() speaks of.
   void set_world(const Pose& T_world_stage);
   Pose begins_at() const { return path_(0); }
@@ -45,6 +54,7 @@ class ScriptedHead final : public HeadTracker {
   mutable std::mutex mutex_;  // over all below
   std::vector<Sent> sent_;
   std::optional<Time> moving_since_;
+  std::optional<std::array<ScriptedHand, 2>> hands_;
   Pose T_world_stage_;
   std::jthread sender_;
 };

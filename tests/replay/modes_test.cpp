@@ -155,6 +155,15 @@ TEST_F(Modes, WhatIsAboutToHappenIsOffered) {
   expect_picture("mode_offer", run(500));
 }
 
+TEST_F(Modes, TheMenuHangsAboveTheHands) {
+  run(300);
+  hands.press('n');
+  run(200);
+  const MenuView& menu = hands.comparison().menu;
+  right.translation = menu.T_world_menu * MenuView::place_of(4) - rotate(right.rotation, {0, -72, 0});
+  expect_picture("mode_menu", run(600));
+}
+
 TEST_F(Modes, ASnapshotIsAPictureAndItsNumbers) {
   const fs::path folder = own.folder() / "kept";
   Snapshots snapshots(folder);

@@ -62,7 +62,7 @@ class SessionShow : public testing::Test {
                     {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
   }
 
-  std::vector<golden::Picture> show_live(const std::map<std::size_t, Key>& presses) const {
+  std::vector<golden::Picture> show_live(const std::map<std::size_t, Key>& presses, std::size_t pictures = 12) const {
     const auto camera = open();
     KeyedDisplay display(presses);
     Graphics graphics = graphics_for(display);
@@ -70,7 +70,7 @@ class SessionShow : public testing::Test {
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
     FrameFeed feed(tracking, Feed::Pace::each, PictureTime::exposure);
     SessionLog log(file, {});
-    Show({display, graphics, feed, &log}).run({.pictures = 12}, [](std::size_t) {});
+    Show({display, graphics, feed, &log}).run({.pictures = pictures}, [](std::size_t) {});
     return std::move(display.pictures);
   }
 
@@ -90,6 +90,22 @@ class SessionShow : public testing::Test {
   const Catalog catalog = load_catalog(assets / "catalog.json");
   const std::filesystem::path file = testing::TempDir() + "onestroke-session-show.jsonl";
 };
+
+// Two keys are enough to leave by, as they are the buttons of a headset's controllers.
+TEST_F(SessionShow, EndsWhereLeavingIsPickedFromTheMenu) {
+  std::map<std::size_t, Key> presses{{1, Key::enter}};
+  // The last of what is offered, then to be sure the first of two.
+  for (std::size_t frame = 2; frame < 13; ++frame) presses[frame] = Key::tab;
+  presses[13] = Key::enter;
+  presses[14] = Key::tab;
+  presses[15] = Key::enter;
+  const auto live = show_live(presses, 40);
+  EXPECT_EQ(live.size(), 16u);
+  std::ifstream in(file);
+  const std::string log(std::istreambuf_iterator<char>(in), {});
+  EXPECT_NE(log.find("\"events\":[\"Leave\"]"), std::string::npos);
+  EXPECT_EQ(show_again().size(), live.size());
+}
 
 TEST_F(SessionShow, ItsKeysAreInTheLog) {
   const auto live =

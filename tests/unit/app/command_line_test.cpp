@@ -83,6 +83,11 @@ TEST(CommandLine, RunAsksAHeadsetForAWorld) {
     EXPECT_THAT(refusal(line), HasSubstr("--world alpha is for a headset alone: add --display openxr; see"));
 }
 
+TEST(CommandLine, RunWaitsForAHeadset) {
+  EXPECT_FALSE(parsed<RunOptions>("run --display openxr").wait);
+  EXPECT_TRUE(parsed<RunOptions>("run --display openxr --wait").wait);
+}
+
 TEST(CommandLine, RunWritesASessionDownOrShowsItAgain) {
   EXPECT_EQ(parsed<RunOptions>("run").log, "");
   EXPECT_EQ(parsed<RunOptions>("run --log none").log, "none");
@@ -160,6 +165,8 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "run --display openxr --world",
                          "run --display openxr --world blue",
                          "run --world auto",
+                         "run --wait",
+                         "run --display window --wait",
                          "run --gpu",
                          "run --gpu=",
                          "run --mode slow",

@@ -28,6 +28,7 @@ const std::array cases{
     Case{"freeze", ScriptKind::freeze, {{corner, end}, {corner, end}}},
     Case{"snapshot", ScriptKind::snapshot, {{end, end}}},
     Case{"card", ScriptKind::card, {}},
+    Case{"menu", ScriptKind::menu, {{StickPoint::arm, StickPoint::arm}, {StickPoint::arm, StickPoint::arm}}},
 };
 
 SyntheticOptions options_of(ScriptKind kind) {

@@ -15,8 +15,8 @@ namespace {
 constexpr std::array links{Link::apart, Link::same, Link::mirrored};
 constexpr std::array tools{Tool::none, Tool::overlay, Tool::fitted, Tool::section, Tool::measure};
 constexpr std::array signs{Sign::starts_together, Sign::ends_together, Sign::corners_together, Sign::corners_parted,
-                           Sign::start_on_corner, Sign::start_on_end,  Sign::end_on_corner,    Sign::twisted,
-                           Sign::untwisted,       Sign::stick_gone};
+                           Sign::start_on_corner, Sign::start_on_end,  Sign::end_on_corner,    Sign::arms_crossed,
+                           Sign::twisted,         Sign::untwisted,     Sign::stick_gone};
 
 CompareMode made(CompareMode mode, Sign sign) {
   const ModeRule* rule = find_rule(mode, sign);
@@ -61,6 +61,7 @@ TEST(CompareModes, ActInEveryMode) {
         const Act act = rule ? rule->act : Act::none;
         EXPECT_EQ(act, sign == Sign::end_on_corner   ? Act::freeze
                        : sign == Sign::ends_together ? Act::snapshot
+                       : sign == Sign::arms_crossed  ? Act::menu
                                                      : Act::none);
       }
 }
@@ -115,6 +116,7 @@ TEST(CompareModes, TakeATouchForTheSameFromEitherHand) {
   EXPECT_EQ(sign_of({StickPoint::end, StickPoint::start}), Sign::start_on_end);
   EXPECT_EQ(sign_of({StickPoint::corner, StickPoint::end}), Sign::end_on_corner);
   EXPECT_EQ(sign_of({StickPoint::end, StickPoint::end}), Sign::ends_together);
+  EXPECT_EQ(sign_of({StickPoint::arm, StickPoint::arm}), Sign::arms_crossed);
 }
 
 TEST(CompareModes, AreWrittenOutALineARule) {
@@ -130,6 +132,7 @@ TEST(CompareModes, StandInTheManualAsTheyAre) {
   const std::string manual((std::istreambuf_iterator<char>(file)), {});
   EXPECT_NE(manual.find("\n" + mode_table() + "\n"), std::string::npos);
   EXPECT_NE(manual.find("```mermaid\n" + mode_diagram() + "```\n"), std::string::npos);
+  EXPECT_NE(manual.find("\n" + menu_table() + "\n"), std::string::npos);
 }
 
 TEST(CompareModes, AreDrawnAnArrowARule) {
@@ -137,7 +140,7 @@ TEST(CompareModes, AreDrawnAnArrowARule) {
   int arrows = 0;
   for (std::size_t at = text.find("-->"); at != std::string::npos; at = text.find("-->", at + 1)) ++arrows;
   // Two lead to where it begins; what acts leads nowhere.
-  EXPECT_EQ(static_cast<std::size_t>(arrows), mode_rules.size() + 2 - 2);
+  EXPECT_EQ(static_cast<std::size_t>(arrows), mode_rules.size() + 2 - 3);
   EXPECT_NE(text.find("overlay --> best_fit: one stick twisted"), std::string::npos) << text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/comparison.h"
+#include "stick_points.h"
 #include "sticks.h"
 
 #include <gmock/gmock.h>
@@ -16,8 +17,7 @@
 
 namespace onestroke {
 
-inline constexpr double degree = std::numbers::pi / 180, frame_ms = 10, arm = 72;
-inline constexpr StickPoints stick_points{Vec3{0, -arm, 0}, Vec3{}, Vec3{arm, 0, 0}};
+inline constexpr double degree = std::numbers::pi / 180, frame_ms = 10;
 
 inline CarriedModel carried(int id, Vec3 pivot, double reach, double mm_per_metre) {
   CarriedModel model{.marker_id = id, .words = Text("bracket"), .pivot = pivot, .reach = reach, .points = stick_points};

@@ -1,7 +1,5 @@
 // What the hands do, as the tracker sees it, through the whole comparison.
-#include "hand_motion.h"
-#include "scene/comparison.h"
-#include "sticks.h"
+#include "noisy_session.h"
 
 #include <gtest/gtest.h>
 
@@ -10,44 +8,6 @@
 
 namespace onestroke {
 namespace {
-
-constexpr double rate = 30, arm = 72;  // pictures a second; mm
-constexpr StickPoints stick_points{Vec3{0, -arm, 0}, Vec3{}, Vec3{arm, 0, 0}};
-
-/// A comparison that sees what noisy eyes see of two sticks.
-class Session {
- public:
-  explicit Session(std::uint32_t seed) : eyes_(seed) {}
-
-  const ComparisonView& show(const Pose& left, const Pose& right) {
-    const double t = frame_ / rate;
-    const auto seen = eyes_.see(left, right, t);
-    std::array sticks{Stick{.id = 1}, Stick{.id = 2}};
-    for (std::size_t i = 0; i < sticks.size(); ++i) {
-      if (seen[i])
-        sticks[i].place = seen[i]->translation, sticks[i].rotation = seen[i]->rotation;
-      else
-        sticks[i].state = MarkerState::lost;
-    }
-    return comparison_.update(record_of({sticks[0], sticks[1]}), Time{} + Duration::from_seconds(frame_++ / rate));
-  }
-  double seconds() const { return frame_ / rate; }
-  void press(char key) { comparison_.press(key); }
-
- private:
-  static CarriedModel carried(int id) {
-    return {.marker_id = id,
-            .pivot = {38, -30, 0},
-            .reach = 35,
-            .marker_from_model = {{0, 1, 0, 0}, {}, 1000},
-            .points = stick_points};
-  }
-
-  const std::array<CarriedModel, 2> carried_{carried(1), carried(2)};
-  Comparison comparison_{carried_};
-  NoisyEyes eyes_;
-  int frame_ = 0;
-};
 
 /// One thing that is meant: places brought together, then a twist or a parting where that is what is meant.
 struct Meant {
@@ -65,7 +25,25 @@ constexpr std::array meant_signs{Meant{StickPoint::start, StickPoint::start, "Li
                                  Meant{StickPoint::start, StickPoint::end, "Measure"},
                                  Meant{StickPoint::corner, StickPoint::end, "Freeze"},
                                  Meant{StickPoint::end, StickPoint::corner, "Freeze"},
-                                 Meant{StickPoint::end, StickPoint::end, "Snapshot"}};
+                                 Meant{StickPoint::end, StickPoint::end, "Snapshot"},
+                                 Meant{StickPoint::arm, StickPoint::arm, "Menu"}};
+
+/// How the right stick comes to touch the left one, in the left one's frame: its rotation, and where its place comes.
+struct Placed {
+  Quat rotation;
+  Vec3 place;
+};
+
+Placed placed(StickPoint left, StickPoint right) {
+  const Vec3 target = place_of(stick_points, left);
+  // It comes from the side and crosses in front.
+  if (left == StickPoint::arm) return {exp_so3({0, 0, -std::numbers::pi / 2}), target - Vec3{0, 0, 8}};
+  const Vec3 inside{24, -24, 0};
+  const Vec3 outwards = -1 * normalized(target - inside), own = place_of(stick_points, right) - inside;
+  const bool corners = left == StickPoint::corner && right == StickPoint::corner;
+  return {exp_so3({0, 0, std::atan2(outwards.y, outwards.x) - std::atan2(own.y, own.x)}),
+          target - (corners ? 18.0 : 6.0) * outwards};
+}
 
 /// What was done in a trial, in order, and how far the view came.
 std::vector<std::string> done_in_trial(const Meant& meant, std::mt19937& random) {
@@ -75,22 +53,16 @@ std::vector<std::string> done_in_trial(const Meant& meant, std::mt19937& random)
   HandMotion left_hand(seed(), -1);
   Session session(seed());
   const Pose left = left_hand.at(0);
-  const Vec3 inside{24, -24, 0};
-  const Vec3 outwards = -1 * normalized(stick_points[static_cast<std::size_t>(meant.left)] - inside);
-  const Vec3 own = stick_points[static_cast<std::size_t>(meant.right)] - inside;
-  const Quat facing = exp_so3({0, 0, std::atan2(outwards.y, outwards.x) - std::atan2(own.y, own.x)});
-  const Quat rotation = left.rotation * facing * exp_so3({turn(random), turn(random), turn(random)});
-  const bool corners = meant.left == StickPoint::corner && meant.right == StickPoint::corner;
-  const Vec3 target = left * stick_points[static_cast<std::size_t>(meant.left)] +
-                      rotate(left.rotation, (corners ? -18.0 : -6.0) * outwards) +
-                      Vec3{miss(random), miss(random), miss(random)};
+  const Placed to = placed(meant.left, meant.right);
+  const Quat rotation = left.rotation * to.rotation * exp_so3({turn(random), turn(random), turn(random)});
+  const Vec3 target = left * to.place + Vec3{miss(random), miss(random), miss(random)};
   std::vector<std::string> done;
   while (session.seconds() < (meant.twist > 0 ? 6 : 3.5)) {
     const double t = session.seconds(), u = std::min(t / 0.9, 1.0), s = u * u * u * (10 + u * (6 * u - 15));
     const double v = std::clamp((t - 2.8) / 0.8, 0.0, 1.0), twisted = meant.twist * v * v * (3 - 2 * v);
     const Vec3 shake{std::sin(47 * t), std::sin(53 * t + 1), std::sin(61 * t + 2)};
     const Quat q = rotation * exp_so3({0, twisted * std::numbers::pi / 180, 0});
-    const Vec3 place = target - rotate(q, stick_points[static_cast<std::size_t>(meant.right)]);
+    const Vec3 place = target - rotate(q, place_of(stick_points, meant.right));
     for (const std::string_view word :
          session.show(left, {q, place + (1 - s) * Vec3{180, 40, 30} + 0.7 * shake}).happened())
       done.emplace_back(word);
