@@ -192,6 +192,10 @@ XrResult end_frame(XrSession, const XrFrameEndInfo* info) {
   return XR_SUCCESS;
 }
 
+XrResult enumerate_spaces(XrSession, std::uint32_t capacity, std::uint32_t* count, XrReferenceSpaceType* kinds) {
+  return give(std::array{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL}, capacity, count, kinds);
+}
+
 XrResult create_space(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   *space = reinterpret_cast<XrSpace>(&handles[info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW ? 1 : 2]);
   return XR_SUCCESS;
@@ -265,6 +269,7 @@ PFN_xrVoidFunction session_function(std::string_view name) {
                                     named("xrWaitFrame", wait_frame),
                                     named("xrBeginFrame", begin_frame),
                                     named("xrEndFrame", end_frame),
+                                    named("xrEnumerateReferenceSpaces", enumerate_spaces),
                                     named("xrCreateReferenceSpace", create_space),
                                     named("xrDestroySpace", destroy_space),
                                     named("xrLocateSpace", locate_space),
