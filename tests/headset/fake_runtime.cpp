@@ -15,6 +15,7 @@
 #include "fake_runtime.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -48,11 +49,13 @@ struct Happening {
 
 struct State {
   int violations = 0, away = 0;
-  bool instance = false, lost = false;
+  bool instance = false;
   std::optional<std::vector<Happening>> script;
   std::deque<XrEventDataBuffer> events;
 };
 State state;
+// A program may ask for times and places on any thread.
+std::atomic<bool> lost = false;
 
 bool lacks(std::string_view what) {
   const char* lacking = std::getenv("FAKE_RUNTIME_LACKS");
@@ -92,7 +95,7 @@ XrResult create_instance(const XrInstanceCreateInfo*, XrInstance* instance) {
   *instance = reinterpret_cast<XrInstance>(&the_one);
   if (!state.script) read_script();
   state.instance = true;
-  state.lost = false;
+  lost = false;
   state.events.clear();
   return XR_SUCCESS;
 }
@@ -119,7 +122,7 @@ XrResult get_system_properties(XrInstance, XrSystemId, XrSystemProperties* prope
 }
 
 XrResult poll_event(XrInstance, XrEventDataBuffer* event) {
-  if (state.lost) return XR_ERROR_INSTANCE_LOST;
+  if (lost) return XR_ERROR_INSTANCE_LOST;
   poll_session();
   if (state.events.empty()) return XR_EVENT_UNAVAILABLE;
   *event = state.events.front();
@@ -129,13 +132,13 @@ XrResult poll_event(XrInstance, XrEventDataBuffer* event) {
 
 XrResult to_time(XrInstance, const timespec* from, XrTime* to) {
   *to = std::int64_t{from->tv_sec} * 1'000'000'000 + from->tv_nsec + clock_zero;
-  return state.lost ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
+  return lost ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
 }
 
 XrResult to_timespec(XrInstance, XrTime from, timespec* to) {
   to->tv_sec = (from - clock_zero) / 1'000'000'000;
   to->tv_nsec = (from - clock_zero) % 1'000'000'000;
-  return state.lost ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
+  return lost ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
 }
 
 XrResult get_function(XrInstance, const char* name, PFN_xrVoidFunction* function) {
@@ -177,8 +180,12 @@ void push_event(const XrEventDataBuffer& event) {
 }
 
 void lose_instance() {
-  state.lost = true;
+  lost = true;
   stay_away();
+}
+
+bool instance_lost() {
+  return lost;
 }
 
 void stay_away() {
@@ -202,6 +209,7 @@ extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRunt
 // For a test that opens this library as well: begins its play anew, by the script as it is at the next instance.
 extern "C" __attribute__((visibility("default"))) void fake_runtime_begin() {
   state = {};
+  lost = false;
   reset_session();
   reset_graphics();
 }

@@ -31,6 +31,8 @@ void poll_session();
 void push_event(const XrEventDataBuffer& event);
 /// Nothing works any more until the instance is made anew.
 void lose_instance();
+/// On any thread.
+bool instance_lost();
 /// The next few tries to make an instance fail.
 void stay_away();
 

@@ -16,7 +16,7 @@ constexpr int frames_of_a_spell = 10, polls_until_worn = 20;
 constexpr float half_eye_distance = 0.0315F, quarter_turn = 0.785398F;
 
 struct Session {
-  bool made = false, ready = false, running = false, stopping = false, leaving = false, gone = false;
+  bool made = false, ready = false, running = false, stopping = false, leaving = false;
   bool waited = false, begun = false, should_render = false;
   int polls_until_ready = 0;
   XrTime display_time = 0;
@@ -76,7 +76,7 @@ XrResult create_session(XrInstance, const XrSessionCreateInfo* info, XrSession* 
 }
 
 XrResult destroy_session(XrSession) {
-  if (session.begun && !session.gone) violation("a session destroyed with a frame begun", XR_SUCCESS);
+  if (session.begun && !instance_lost()) violation("a session destroyed with a frame begun", XR_SUCCESS);
   session = {};
   use_graphics(nullptr);
   return XR_SUCCESS;
@@ -133,13 +133,12 @@ void follow_script() {
 }
 
 XrResult wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* frame) {
-  if (session.gone) return XR_ERROR_INSTANCE_LOST;
+  if (instance_lost()) return XR_ERROR_INSTANCE_LOST;
   if (!session.running) return violation("a frame waited for with no session running", XR_ERROR_SESSION_NOT_RUNNING);
   if (session.waited) return violation("a frame waited for before the last was begun", XR_ERROR_CALL_ORDER_INVALID);
   if (due("wait_error", play.frames)) return XR_ERROR_RUNTIME_FAILURE;
   if (due("lost", play.frames)) {
     lose_instance();
-    session.gone = true;
     return XR_ERROR_INSTANCE_LOST;
   }
   sleep_until(play.next_frame);
@@ -158,7 +157,7 @@ XrResult wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* frame) {
 }
 
 XrResult begin_frame(XrSession, const XrFrameBeginInfo*) {
-  if (session.gone) return XR_ERROR_INSTANCE_LOST;
+  if (instance_lost()) return XR_ERROR_INSTANCE_LOST;
   if (!session.waited) return violation("a frame begun that was not waited for", XR_ERROR_CALL_ORDER_INVALID);
   if (session.begun) violation("a frame begun before the last was ended", XR_FRAME_DISCARDED);
   session.waited = false;
@@ -180,7 +179,7 @@ bool sound(const XrCompositionLayerBaseHeader& header) {
 }
 
 XrResult end_frame(XrSession, const XrFrameEndInfo* info) {
-  if (session.gone) return XR_ERROR_INSTANCE_LOST;
+  if (instance_lost()) return XR_ERROR_INSTANCE_LOST;
   if (!session.begun) return violation("a frame ended that was not begun", XR_ERROR_CALL_ORDER_INVALID);
   session.begun = false;
   if (info->displayTime != session.display_time)
@@ -193,6 +192,10 @@ XrResult end_frame(XrSession, const XrFrameEndInfo* info) {
   return XR_SUCCESS;
 }
 
+XrResult enumerate_spaces(XrSession, std::uint32_t capacity, std::uint32_t* count, XrReferenceSpaceType* kinds) {
+  return give(std::array{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL}, capacity, count, kinds);
+}
+
 XrResult create_space(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   *space = reinterpret_cast<XrSpace>(&handles[info->referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW ? 1 : 2]);
   return XR_SUCCESS;
@@ -203,7 +206,7 @@ XrResult destroy_space(XrSpace) {
 }
 
 XrResult locate_space(XrSpace, XrSpace, XrTime time, XrSpaceLocation* location) {
-  if (session.gone) return XR_ERROR_INSTANCE_LOST;
+  if (instance_lost()) return XR_ERROR_INSTANCE_LOST;
   if (time <= 0) return violation("a space located at no time", XR_ERROR_TIME_INVALID);
   location->locationFlags = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
                             XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
@@ -213,7 +216,7 @@ XrResult locate_space(XrSpace, XrSpace, XrTime time, XrSpaceLocation* location) 
 
 XrResult locate_views(XrSession, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                       std::uint32_t* count, XrView* views) {
-  if (session.gone) return XR_ERROR_INSTANCE_LOST;
+  if (instance_lost()) return XR_ERROR_INSTANCE_LOST;
   if (info->displayTime != session.display_time) violation("eyes located at another time than the frame's", XR_SUCCESS);
   state->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
                           XR_VIEW_STATE_ORIENTATION_TRACKED_BIT | XR_VIEW_STATE_POSITION_TRACKED_BIT;
@@ -266,6 +269,7 @@ PFN_xrVoidFunction session_function(std::string_view name) {
                                     named("xrWaitFrame", wait_frame),
                                     named("xrBeginFrame", begin_frame),
                                     named("xrEndFrame", end_frame),
+                                    named("xrEnumerateReferenceSpaces", enumerate_spaces),
                                     named("xrCreateReferenceSpace", create_space),
                                     named("xrDestroySpace", destroy_space),
                                     named("xrLocateSpace", locate_space),

@@ -154,10 +154,10 @@ using MirrorBeside = Mirror;
 
 TEST_F(MirrorBeside, DoesNotHoldTheHeadsetBack) {
   const char* asked_for = std::getenv("MIRROR_ROUNDS");
-  const int rounds = asked_for ? std::atoi(asked_for) : 2;
+  const std::size_t rounds = asked_for ? std::stoul(asked_for) : 2;
   std::array<std::vector<double>, 2> periods, cpu_ms;
   validation = false;  // which takes time of its own
-  for (int round = 0; round < 2 * rounds; ++round) {
+  for (std::size_t round = 0; round < 2 * rounds; ++round) {
     const std::size_t with = (round % 2 + round / 2) % 2;
     open(with == 1);
     show(40);
