@@ -15,7 +15,7 @@ struct Duration {
   static constexpr Duration from_ms(double ms) { return from_seconds(ms * 1e-3); }
   constexpr double seconds() const { return static_cast<double>(ns) * 1e-9; }
   constexpr double ms() const { return static_cast<double>(ns) * 1e-6; }
-  friend constexpr auto operator<=>(Duration, Duration) = default;
+  friend constexpr auto operator<=>(Duration, Duration) = default;  // NOLINT(modernize-use-nullptr)
   friend constexpr Duration operator+(Duration a, Duration b) { return {a.ns + b.ns}; }
   friend constexpr Duration operator-(Duration a, Duration b) { return {a.ns - b.ns}; }
   friend constexpr Duration operator-(Duration a) { return {-a.ns}; }
@@ -29,7 +29,7 @@ struct Time {
 
   /// The clock now. Any thread.
   static Time now();
-  friend constexpr auto operator<=>(Time, Time) = default;
+  friend constexpr auto operator<=>(Time, Time) = default;  // NOLINT(modernize-use-nullptr)
   friend constexpr Duration operator-(Time a, Time b) { return {a.ns - b.ns}; }
   friend constexpr Time operator+(Time a, Duration d) { return {a.ns + d.ns}; }
   friend constexpr Time operator-(Time a, Duration d) { return {a.ns - d.ns}; }
