@@ -28,4 +28,13 @@ std::filesystem::path state_folder() {
   return own_folder("XDG_STATE_HOME", ".local/state");
 }
 
+std::filesystem::path config_folder() {
+  return own_folder("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path assets_folder() {
+  const char* named = std::getenv("ONESTROKE_ASSETS");
+  return named && *named ? named : ONESTROKE_ASSETS_DIR;
+}
+
 }  // namespace onestroke

@@ -9,5 +9,9 @@ namespace onestroke {
 std::filesystem::path cache_folder();
 /// Where it keeps what it has done, by the same rules: $XDG_STATE_HOME/onestroke, else ~/.local/state/onestroke.
 std::filesystem::path state_folder();
+/// Where it keeps what the user has settled: $XDG_CONFIG_HOME/onestroke, else ~/.config/onestroke.
+std::filesystem::path config_folder();
+/// What the program comes with: the folder that ONESTROKE_ASSETS names, else the one it was built from.
+std::filesystem::path assets_folder();
 
 }  // namespace onestroke

@@ -116,6 +116,7 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("--seconds", options.seconds, help::seconds)
       ->type_name("S")
       ->check(number_between(1e-3, 1e6, " seconds"));
+  run.add_option("--head-camera", options.head_camera, help::head_camera)->type_name("FILE")->check(not_empty());
   run.add_option("--log", options.log, help::log)->type_name("FILE|none")->check(not_empty());
   auto* replay = run.add_option("--replay", options.replay, help::replay)->type_name("FILE")->check(not_empty());
   for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--world", "--stereo", "--no-fingers",
@@ -161,12 +162,51 @@ void add_marker(CLI::App& program, MarkerOptions& options) {
   show.add_option("marker", options.which, help::which)->type_name("ID|NAME")->required();
 }
 
+void add_calibrate(CLI::App& program, CalibrateOptions& options) {
+  CLI::App& calibrate = *program.add_subcommand("calibrate", help::calibrate);
+  calibrate.require_subcommand(0, 1);
+  CLI::App& head = *calibrate.add_subcommand("head", help::calibrate_head);
+  head.footer(help::calibrate_examples);
+  add_camera(head, options.source);
+  head.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE");
+  head.add_option("--display", options.display, help::calibrate_display)
+      ->type_name("SPEC")
+      ->check(one_of({{"openxr", More::none}}, "openxr"))
+      ->capture_default_str();
+  head.add_option("--output", options.output, help::calibrate_output)
+      ->type_name("FILE")
+      ->required()
+      ->check(not_empty());
+  head.add_option("--seconds", options.seconds, help::calibrate_seconds)
+      ->type_name("S")
+      ->check(number_between(1e-3, 1e6, " seconds"));
+  head.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
+  auto* poses = head.add_option("--head-poses", options.head_poses, help::head_poses);
+  poses->type_name("FILE.jsonl")->check(not_empty());
+  auto* replay = head.add_option("--replay", options.replay, help::calibrate_replay)->type_name("FILE");
+  replay->check(not_empty());
+  head.add_option("--headset", options.headset, help::headset)->type_name("NAME")->check(not_empty());
+  for (const char* live : {"--display", "--seconds", "--gpu"}) {
+    poses->excludes(head.get_option(live));
+    replay->excludes(head.get_option(live));
+  }
+  for (const char* pictures : {"--camera", "--catalog", "--fov", "--calibration", "--readout-ms", "--head-poses"})
+    replay->excludes(head.get_option(pictures));
+}
+
+void add_doctor(CLI::App& program, DoctorOptions& options) {
+  CLI::App& doctor = *program.add_subcommand("doctor", help::doctor);
+  doctor.add_flag("--json", options.json, help::doctor_json);
+}
+
 /// The program's options and where their values go.
 struct Program {
   CLI::App app{help::program, "onestroke"};
   RunOptions run;
   TrackOptions track;
   MarkerOptions marker;
+  CalibrateOptions calibrate;
+  DoctorOptions doctor;
   std::string completion;
 
   Program() {
@@ -180,6 +220,8 @@ struct Program {
     add_run(app, run);
     add_track(app, track);
     add_marker(app, marker);
+    add_calibrate(app, calibrate);
+    add_doctor(app, doctor);
   }
 
   /// `onestroke track`, as far as the commands were understood.
@@ -219,6 +261,20 @@ void check_worn(const Program& program, const RunOptions& options) {
   refuse(program, "--world " + std::string(name_of(options.world)) + " is for a headset alone: add --display openxr");
 }
 
+const CalibrateOptions& checked_calibrate(const Program& program) {
+  const CLI::App& calibrate = *program.app.get_subcommand("calibrate");
+  if (calibrate.get_subcommands().empty()) refuse(program, "what to calibrate is missing: head");
+  const CLI::App& head = *calibrate.get_subcommand("head");
+  const CalibrateOptions& options = program.calibrate;
+  if (!options.replay.empty()) return options;
+  if (head.count("--camera") == 0) refuse(program, "the headset's camera is missing: give --camera SPEC");
+  if (options.catalog.empty()) refuse(program, "the markers are missing: give --catalog FILE");
+  if (!options.headset.empty() && options.head_poses.empty())
+    refuse(program, "--headset is for recordings, since a headset says its name: leave it out");
+  check_lens_known(program, options.source);
+  return options;
+}
+
 }  // namespace
 
 Command parse_command_line(std::vector<std::string> arguments) {
@@ -244,7 +300,12 @@ Command parse_command_line(std::vector<std::string> arguments) {
     check_threads(program, program.track);
     return program.track;
   }
-  if (!program.app.got_subcommand("run")) refuse(program, "a command is missing: run, track or marker");
+  if (program.app.got_subcommand("calibrate")) return checked_calibrate(program);
+  if (program.app.got_subcommand("doctor")) return program.doctor;
+  if (!program.app.got_subcommand("run"))
+    refuse(program, "a command is missing: run, track, marker, calibrate or doctor");
+  if (!program.run.replay.empty() && !program.run.head_camera.empty())
+    refuse(program, "--head-camera is for new sessions, since a log knows it: leave it out");
   check_worn(program, program.run);
   check_wait(program, program.run);
   if (program.run.replay.empty())

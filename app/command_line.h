@@ -43,6 +43,8 @@ struct RunOptions {
   std::string log;                ///< A file for the session's log, or none; empty for where it usually goes.
   /// The log of a session to be shown again, whose camera is taken where `source` names none; empty for a new session.
   std::filesystem::path replay;
+  /// How the head carries the camera, as `onestroke calibrate head` wrote it; empty for what is known of the headset.
+  std::filesystem::path head_camera;
 };
 
 struct TrackOptions {
@@ -65,12 +67,28 @@ struct MarkerOptions {
   bool replace = false;             ///< import: new entries take the place of old ones with the same id.
 };
 
+/// `calibrate head`: live, from pictures with poses of the head, or from a session's log.
+struct CalibrateOptions {
+  SourceOptions source;
+  std::string display = "openxr";
+  std::filesystem::path catalog;
+  std::filesystem::path output;
+  std::filesystem::path head_poses, replay;  ///< One of them, or neither for a calibration that is live.
+  std::string headset;                       ///< Its name, for a recording that does not have it.
+  std::string gpu;
+  std::optional<double> seconds;  ///< Stop after so long; otherwise when there is enough.
+};
+
+struct DoctorOptions {
+  bool json = false;
+};
+
 /// --help, --version, --completion: what to print before leaving.
 struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RunOptions, TrackOptions, MarkerOptions, PrintText>;
+using Command = std::variant<RunOptions, TrackOptions, MarkerOptions, CalibrateOptions, DoctorOptions, PrintText>;
 
 /// Reads the arguments after the program's name. Throws UsageError, one line with the remedy, where they are wrong.
 /// Looks at no file.

@@ -13,7 +13,7 @@ constexpr const char* values = R"(  case "$prev" in
     --mode) COMPREPLY=($(compgen -W "exposure fresh" -- "$cur")); return ;;
     --completion) COMPREPLY=($(compgen -W "bash" -- "$cur")); return ;;
     --overlay) COMPREPLY=($(compgen -d -- "$cur")); return ;;
-    --catalog | --calibration | --output | --log | --replay | :) COMPREPLY=($(compgen -f -- "${cur#:}")); return ;;
+    --catalog | --calibration | --output | --log | --replay | --head-camera | --head-poses | :) COMPREPLY=($(compgen -f -- "${cur#:}")); return ;;
   esac
 )";
 

@@ -11,6 +11,7 @@ inline constexpr const char* program_footer = R"~(Examples:
   onestroke run --camera file:hands.mp4 --fov 62 --catalog markers.db
   onestroke track --camera folder:pictures --fov 35 --catalog markers.db --output poses.jsonl
   onestroke marker import markers.json --catalog markers.db
+  onestroke doctor                                what there is of headset, GPU and cameras, and what each lacks
   onestroke track --help                          more about one command
 
 Units: lengths in millimetres, angles in degrees here and in radians in files, times in milliseconds.
@@ -74,6 +75,9 @@ inline constexpr const char* replay =
     "Show a session again from its log: the same frames with the same poses, and the camera's pictures where it can "
     "give "
     "them again; --camera names another one";
+inline constexpr const char* head_camera =
+    "How the head carries the camera, as `onestroke calibrate head` wrote it. Default: your own calibration of this "
+    "headset and camera, or what is known of the headset";
 inline constexpr const char* run_examples = R"(Examples:
   onestroke run
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
@@ -136,5 +140,32 @@ Models are glTF, STL, OBJ or PLY files, their paths from the catalogue's folder.
 "unit": "m", "cm", "mm", "in" or "ft"; "up": "x", "y" or "z". Usual are metres and y up in glTF, millimetres and y up in OBJ,
 millimetres and z up in STL and PLY. "fit" makes the longest side so many millimetres; otherwise a model has its size.
 "notes" are keys and texts of your own, in the order in which they are shown.)";
+
+inline constexpr const char* calibrate = "Find out how things sit that the program must know";
+inline constexpr const char* calibrate_head =
+    "How the headset carries its camera, from a marker that lies still and a head that moves";
+inline constexpr const char* calibrate_display = "The headset";
+inline constexpr const char* calibrate_output =
+    "The file to write, for `onestroke run --head-camera`; replaces it. A headset's calibration is also kept for "
+    "`onestroke run` to find";
+inline constexpr const char* calibrate_seconds = "Stop after S seconds. Default: when the head has turned enough";
+inline constexpr const char* head_poses =
+    "For pictures that were taken before: where the head was then, a line of JSON a pose";
+inline constexpr const char* calibrate_replay =
+    "From the log of a session with a headset, in which the marker lay still, instead of a camera";
+inline constexpr const char* headset = "What the headset of a recording is called, to keep its calibration";
+inline constexpr const char* calibrate_examples = R"(Examples:
+  onestroke calibrate head --camera synthetic:live=1 --catalog markers.db --output head.json
+  onestroke calibrate head --camera folder:pictures --fov 90 --catalog markers.db --head-poses poses.jsonl --output head.json
+  onestroke calibrate head --replay session.jsonl --output head.json
+
+Lay a marker down in good light, put the headset on, and with the marker in sight turn your head slowly: left and right, up
+and down, towards either shoulder, also from other places. Each line of --head-poses is
+  {"time_ns": 123456789, "T_world_head": [w, x, y, z, x, y, z]}
+or has the "image" that it belongs to in place of "time_ns": a unit quaternion and millimetres, from the head's axes
+(x right, y down, z forward, as the eyes look) to any that stand still.)";
+
+inline constexpr const char* doctor = "Say what there is of headset, GPU, displays and cameras, and what each lacks";
+inline constexpr const char* doctor_json = "As JSON, for programs";
 
 }  // namespace onestroke::help

@@ -1,4 +1,6 @@
+#include "app/calibrate_command.h"
 #include "app/command_line.h"
+#include "app/doctor_command.h"
 #include "app/marker_command.h"
 #include "app/run_command.h"
 #include "app/say.h"
@@ -20,6 +22,12 @@ int execute(const onestroke::TrackOptions& options) {
 }
 int execute(const onestroke::MarkerOptions& options) {
   return onestroke::marker_command(options, std::cout);
+}
+int execute(const onestroke::CalibrateOptions& options) {
+  return onestroke::calibrate_command(options, std::cout);
+}
+int execute(const onestroke::DoctorOptions& options) {
+  return onestroke::doctor_command(options, std::cout);
 }
 int execute(const onestroke::PrintText& print) {
   std::cout << print.text << std::flush;

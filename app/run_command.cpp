@@ -39,8 +39,7 @@ bool set(const char* variable) {
 
 fs::path catalog_file(const RunOptions& options) {
   if (!options.catalog.empty()) return options.catalog;
-  const fs::path assets = set("ONESTROKE_ASSETS") ? std::getenv("ONESTROKE_ASSETS") : ONESTROKE_ASSETS_DIR;
-  const fs::path file = assets / "catalog.json";
+  const fs::path file = assets_folder() / "catalog.json";
   std::error_code unknown;
   if (!fs::exists(file, unknown))
     throw Error("the demo's catalogue " + file.string() +

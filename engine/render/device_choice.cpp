@@ -24,22 +24,6 @@ int rank(const vk::raii::PhysicalDevice& device) {
   }
 }
 
-/// What keeps the device from being used; empty where nothing does.
-std::string shortfall(const vk::raii::PhysicalDevice& device, const GpuOptions& options) {
-  if (device.getProperties().apiVersion < VK_API_VERSION_1_3) return "it has no Vulkan 1.3";
-  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-                                            vk::PhysicalDeviceVulkan13Features>();
-  const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
-  if (!v13.dynamicRendering || !v13.synchronization2 || !v13.maintenance4)
-    return "it lacks dynamic rendering, synchronization2 or maintenance4";
-  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderClipDistance) return "it lacks clip distances";
-  const auto there = device.enumerateDeviceExtensionProperties();
-  for (const auto& name : options.needs.device_extensions)
-    if (std::none_of(there.begin(), there.end(), [&name](const auto& e) { return name == e.extensionName.data(); }))
-      return "it lacks " + name;
-  return {};
-}
-
 std::string list_of(const std::vector<vk::raii::PhysicalDevice>& devices) {
   std::string text;
   for (std::size_t i = 0; i < devices.size(); ++i)
@@ -92,6 +76,21 @@ vk::raii::PhysicalDevice choose_hooked(const vk::raii::Instance& instance, const
 }
 
 }  // namespace
+
+std::string shortfall(const vk::raii::PhysicalDevice& device, const GpuOptions& options) {
+  if (device.getProperties().apiVersion < VK_API_VERSION_1_3) return "it has no Vulkan 1.3";
+  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                                            vk::PhysicalDeviceVulkan13Features>();
+  const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
+  if (!v13.dynamicRendering || !v13.synchronization2 || !v13.maintenance4)
+    return "it lacks dynamic rendering, synchronization2 or maintenance4";
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderClipDistance) return "it lacks clip distances";
+  const auto there = device.enumerateDeviceExtensionProperties();
+  for (const auto& name : options.needs.device_extensions)
+    if (std::none_of(there.begin(), there.end(), [&name](const auto& e) { return name == e.extensionName.data(); }))
+      return "it lacks " + name;
+  return {};
+}
 
 vk::raii::PhysicalDevice choose_device(const vk::raii::Instance& instance, const GpuOptions& options) {
   if (options.needs.hooks) return choose_hooked(instance, options);

@@ -81,6 +81,8 @@ class Display : public HeadTracker {
   /// there is to be no light and no opacity. The same from the start to the end.
   virtual bool shows_world() const { return false; }
   std::optional<Pose> head_at(Time) const override { return std::nullopt; }
+  /// What the headset is called; empty where there is none.
+  virtual std::string headset() const { return {}; }
 
   /// Moves the world's origin to where the head is, upright and looking ahead, from the next begin() on. False where no
   /// head is tracked.

@@ -30,9 +30,7 @@ vk::DebugUtilsMessengerCreateInfoEXT messenger_info(const GpuOptions& options) {
 }
 
 void check_layer(const vk::raii::Context& context) {
-  const auto layers = context.enumerateInstanceLayerProperties();
-  if (std::none_of(layers.begin(), layers.end(),
-                   [](const auto& layer) { return std::strcmp(layer.layerName, validation_layer) == 0; }))
+  if (!has_validation(context))
     throw Error(std::string(validation_layer) + " is not installed: apt install vulkan-validationlayers");
 }
 
@@ -52,6 +50,12 @@ vk::raii::Context load_vulkan() {
   } catch (const std::exception&) {
     throw Error("Vulkan's loader libvulkan.so.1 is missing: apt install libvulkan1 mesa-vulkan-drivers");
   }
+}
+
+bool has_validation(const vk::raii::Context& context) {
+  const auto layers = context.enumerateInstanceLayerProperties();
+  return std::any_of(layers.begin(), layers.end(),
+                     [](const auto& layer) { return std::strcmp(layer.layerName, validation_layer) == 0; });
 }
 
 vk::raii::Instance create_instance(const vk::raii::Context& context, const GpuOptions& options) {

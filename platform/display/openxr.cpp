@@ -284,6 +284,10 @@ bool OpenXrDisplay::recentre() {
   return impl_->recentre;
 }
 
+std::string OpenXrDisplay::headset() const {
+  return impl_->headset;
+}
+
 bool OpenXrDisplay::gpu_lost() const {
   return impl_->lost && impl_->instance && !impl_->closed;
 }

@@ -40,6 +40,7 @@ class OpenXrDisplay final : public Display {
   bool shows_world() const override;
   std::optional<Pose> head_at(Time time) const override;
   bool recentre() override;
+  std::string headset() const override;
   void finish() override;
   std::vector<std::string> report() const override;
 

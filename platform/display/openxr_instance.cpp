@@ -15,7 +15,13 @@ constexpr std::array needed{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_CONVERT
 constexpr std::array welcome{XR_EXT_HAND_TRACKING_EXTENSION_NAME, XR_FB_PASSTHROUGH_EXTENSION_NAME,
                              XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME};
 
-std::vector<std::string> offered_extensions() {
+}  // namespace
+
+std::span<const char* const> needed_openxr_extensions() {
+  return needed;
+}
+
+std::vector<std::string> offered_openxr_extensions() {
   std::uint32_t count = 0;
   const XrResult result = xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr);
   if (XR_FAILED(result))
@@ -30,18 +36,7 @@ std::vector<std::string> offered_extensions() {
   return names;
 }
 
-std::vector<const char*> choose_extensions() {
-  const std::vector<std::string> offered = offered_extensions();
-  const auto is_offered = [&offered](const char* name) { return std::ranges::find(offered, name) != offered.end(); };
-  for (const char* name : needed)
-    if (!is_offered(name))
-      throw Error(std::string("the OpenXR runtime lacks ") + name + ": update it, or make another one active");
-  std::vector<const char*> chosen(needed.begin(), needed.end());
-  std::ranges::copy_if(welcome, std::back_inserter(chosen), is_offered);
-  return chosen;
-}
-
-XrInstance create_instance(const std::vector<const char*>& extensions) {
+XrInstance create_openxr_instance(std::span<const char* const> extensions) {
   auto info = typed<XrInstanceCreateInfo>(XR_TYPE_INSTANCE_CREATE_INFO);
   std::strcpy(info.applicationInfo.applicationName, "onestroke");
   info.applicationInfo.applicationVersion = 1;
@@ -55,13 +50,7 @@ XrInstance create_instance(const std::vector<const char*>& extensions) {
   return instance;
 }
 
-std::string name_of_runtime(XrInstance instance) {
-  auto properties = typed<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
-  check(xrGetInstanceProperties(instance, &properties), "the OpenXR runtime does not say its name: update it");
-  return properties.runtimeName;
-}
-
-XrSystemId find_headset(XrInstance instance, const std::string& runtime) {
+XrSystemId find_openxr_headset(XrInstance instance, const std::string& runtime) {
   auto info = typed<XrSystemGetInfo>(XR_TYPE_SYSTEM_GET_INFO);
   info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
   XrSystemId system = XR_NULL_SYSTEM_ID;
@@ -72,13 +61,32 @@ XrSystemId find_headset(XrInstance instance, const std::string& runtime) {
   return system;
 }
 
+namespace {
+
+std::vector<const char*> choose_extensions() {
+  const std::vector<std::string> offered = offered_openxr_extensions();
+  const auto is_offered = [&offered](const char* name) { return std::ranges::find(offered, name) != offered.end(); };
+  for (const char* name : needed)
+    if (!is_offered(name))
+      throw Error(std::string("the OpenXR runtime lacks ") + name + ": update it, or make another one active");
+  std::vector<const char*> chosen(needed.begin(), needed.end());
+  std::ranges::copy_if(welcome, std::back_inserter(chosen), is_offered);
+  return chosen;
+}
+
+std::string name_of_runtime(XrInstance instance) {
+  auto properties = typed<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
+  check(xrGetInstanceProperties(instance, &properties), "the OpenXR runtime does not say its name: update it");
+  return properties.runtimeName;
+}
+
 }  // namespace
 
 OpenXrInstance::OpenXrInstance()
     : extensions_(choose_extensions()),
-      instance_(create_instance(extensions_)),
+      instance_(create_openxr_instance(extensions_)),
       runtime_name_(name_of_runtime(*instance_)),
-      headset_(find_headset(*instance_, runtime_name_)) {}
+      headset_(find_openxr_headset(*instance_, runtime_name_)) {}
 
 std::string OpenXrInstance::headset_name() const {
   auto properties = typed<XrSystemProperties>(XR_TYPE_SYSTEM_PROPERTIES);

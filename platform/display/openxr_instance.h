@@ -2,11 +2,21 @@
 
 #include "display/openxr_api.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace onestroke {
+
+/// What a runtime must have.
+std::span<const char* const> needed_openxr_extensions();
+/// What the active runtime has. Throws OpenXrError where there is none.
+std::vector<std::string> offered_openxr_extensions();
+/// Throws OpenXrError where the runtime does not answer. A loader may allow one at a time.
+XrInstance create_openxr_instance(std::span<const char* const> extensions);
+/// Throws OpenXrError where there is none; `runtime` is for its message.
+XrSystemId find_openxr_headset(XrInstance instance, const std::string& runtime);
 
 /// The program's connection to the OpenXR runtime, and the headset that it has.
 class OpenXrInstance {

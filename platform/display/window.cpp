@@ -9,6 +9,15 @@
 
 namespace onestroke {
 
+std::string window_shortfall() {
+  try {
+    const DesktopWindow window({.title = {}, .width = 64, .height = 64, .hidden = true});
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 struct WindowDisplay::Impl {
   WindowOptions options;
   DesktopWindow window;

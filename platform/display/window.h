@@ -12,6 +12,9 @@ struct WindowOptions {
   bool wait_for_screen = true;
 };
 
+/// Why no window can be opened, with the remedy; empty where one can.
+std::string window_shortfall();
+
 /// A window on the desktop. The thread that makes it must be the program's main one.
 class WindowDisplay final : public Display {
  public:

@@ -193,6 +193,19 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "marker import --catalog c.db",
                          "marker show --catalog c.db",
                          "marker list more --catalog c.db",
+                         "calibrate",
+                         "calibrate bla",
+                         "calibrate head",
+                         "calibrate head --output h.json --catalog c.db",
+                         "calibrate head --output h.json --camera synthetic",
+                         "calibrate head --output h.json --camera file:a.mp4 --catalog c.db",
+                         "calibrate head --output h.json --camera synthetic --catalog c.db --headset Index",
+                         "calibrate head --output h.json --camera synthetic --catalog c.db --display window",
+                         "calibrate head --output h.json --replay a.jsonl --camera synthetic",
+                         "calibrate head --output h.json --replay a.jsonl --seconds 3",
+                         "calibrate head --replay a.jsonl",
+                         "doctor more",
+                         "run --replay a.jsonl --head-camera h.json",
                          "--completion fish"};
   for (const char* line : wrong) {
     const std::string message = refusal(line);
@@ -201,8 +214,29 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
   }
 }
 
+TEST(CommandLine, CalibrateHeadIsLiveOrFromARecording) {
+  const auto live = parsed<CalibrateOptions>(
+      "calibrate head --camera synthetic:live=1 --catalog c.db --output h.json --seconds 60 --gpu radeon");
+  EXPECT_EQ(live.display, "openxr");
+  EXPECT_EQ(live.source.camera, "synthetic:live=1");
+  EXPECT_EQ(live.output, "h.json");
+  EXPECT_EQ(live.seconds, 60);
+  EXPECT_TRUE(live.replay.empty() && live.head_poses.empty());
+  const auto poses = parsed<CalibrateOptions>(
+      "calibrate head --camera folder:a --fov 90 --catalog c.db --head-poses p.jsonl --headset Index --output h.json");
+  EXPECT_EQ(poses.head_poses, "p.jsonl");
+  EXPECT_EQ(poses.headset, "Index");
+  EXPECT_EQ(parsed<CalibrateOptions>("calibrate head --replay a.jsonl --output h.json").replay, "a.jsonl");
+  EXPECT_EQ(parsed<RunOptions>("run --head-camera h.json").head_camera, "h.json");
+}
+
+TEST(CommandLine, DoctorSpeaksTextOrJson) {
+  EXPECT_FALSE(parsed<DoctorOptions>("doctor").json);
+  EXPECT_TRUE(parsed<DoctorOptions>("doctor --json").json);
+}
+
 TEST(CommandLine, RefusalsNameTheThing) {
-  EXPECT_THAT(refusal(""), HasSubstr("run, track or marker"));
+  EXPECT_THAT(refusal(""), HasSubstr("run, track, marker, calibrate or doctor"));
   EXPECT_THAT(refusal("run --bla"), AllOf(HasSubstr("--bla"), HasSubstr("`onestroke run --help`")));
   EXPECT_THAT(refusal("run --camera webcam"), AllOf(HasSubstr("\"webcam\""), HasSubstr("file:VIDEO")));
   EXPECT_THAT(refusal("run --fov 180"), AllOf(HasSubstr("--fov"), HasSubstr("from 1 to 170 degrees")));
@@ -227,7 +261,9 @@ TEST(CommandLine, HelpTeaches) {
   EXPECT_THAT(printed("track --help"), HasSubstr("p_camera = R p_marker + t"));
   EXPECT_THAT(printed("marker --help"), HasSubstr("onestroke marker import"));
   EXPECT_THAT(printed("marker import --help"), HasSubstr("--replace"));
-  for (const char* line : {"--help", "run --help", "track --help", "marker --help", "marker show --help"}) {
+  EXPECT_THAT(printed("calibrate head --help"), HasSubstr("Lay a marker down"));
+  for (const char* line : {"--help", "run --help", "track --help", "marker --help", "marker show --help",
+                           "calibrate --help", "calibrate head --help", "doctor --help"}) {
     std::istringstream lines(printed(line));
     for (std::string text; std::getline(lines, text);) EXPECT_LE(text.size(), 125u) << text;
   }
@@ -235,7 +271,7 @@ TEST(CommandLine, HelpTeaches) {
 
 TEST(CommandLine, ExamplesOfTheHelpAreAccepted) {
   int examples = 0;
-  for (const char* command : {"--help", "run --help", "track --help", "marker --help"}) {
+  for (const char* command : {"--help", "run --help", "track --help", "marker --help", "calibrate head --help"}) {
     std::istringstream lines(printed(command));
     for (std::string line; std::getline(lines, line);) {
       const std::string start = "  onestroke ";
@@ -266,11 +302,14 @@ std::string offered(const std::string& words, int last) {
 }
 
 TEST(CommandLine, CompletesInBash) {
-  EXPECT_EQ(offered("onestroke ''", 1), "run track marker --help --version --completion");
+  EXPECT_EQ(offered("onestroke ''", 1), "run track marker calibrate doctor --help --version --completion");
   EXPECT_EQ(offered("onestroke tr", 1), "track");
   EXPECT_EQ(offered("onestroke track --o", 2), "--output --overlay");
   EXPECT_EQ(offered("onestroke marker ''", 2), "import export list show --help");
   EXPECT_EQ(offered("onestroke marker import --r", 3), "--replace");
+  EXPECT_EQ(offered("onestroke calibrate ''", 2), "head --help");
+  EXPECT_EQ(offered("onestroke calibrate head --head", 3), "--head-poses --headset");
+  EXPECT_EQ(offered("onestroke doctor --j", 2), "--json");
   EXPECT_EQ(offered("onestroke run --g", 2), "--gpu");
   EXPECT_EQ(offered("onestroke run --no-m", 2), "--no-mirror");
   EXPECT_EQ(offered("onestroke run --mode f", 3), "fresh");
