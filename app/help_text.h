@@ -88,10 +88,11 @@ inline constexpr const char* run_examples = R"(Examples:
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
 section, measure, freeze, snapshot, card, menu; with one stick: turn_x, turn_y, turn_z, still.
 
-Keys in a window, that beside a headset too: L links the two models, mirrors them, parts them again; O lays one over the other, B by their best fit or
-by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P saves a snapshot; I shows what is
-known of the models; X exchanges the hands; H hides words and figures; R puts the world's origin where a headset's head is;
-N opens and closes a menu of all this, Tab goes on in it and Enter picks; Space pauses; Q or Escape ends.
+Keys in a window, that beside a headset too: L links the two models, mirrors them, parts them again; O lays one over the
+other, B by their best fit or by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P
+saves a snapshot; I shows what is known of the models; X exchanges the hands; H hides words and figures; R puts the
+world's origin where a headset's head is; N opens and closes a menu of all this, Tab goes on in it and Enter picks;
+Space pauses; Q or Escape ends.
 
 Without a keyboard: cross the start arms of both sticks until the ring is full, then hold a red tip before what is to be
 picked. A headset's controllers: left trigger goes on, right one picks, either opens the menu. Hands without sticks: thumb

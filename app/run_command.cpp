@@ -3,6 +3,7 @@
 #include "app/cache_folder.h"
 #include "app/frame_feed.h"
 #include "app/head_camera.h"
+#include "app/head_mount.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/replay_feed.h"
@@ -130,7 +131,13 @@ HeadMount find_head(Stage& stage, const RunOptions& options) {
   if (stage.spec != "openxr") return {};
   if (options.wait) catch_interrupt();
   stage.display = open_display(stage.spec, display_options(options, stage.offscreen, screen_rate));
-  return {.head = stage.display.get(), .T_head_camera = {}};
+  const std::string headset = stage.display->headset();
+  const auto mount = find_mount(headset, options.source.camera, options.head_camera);
+  say(mount
+          ? "where " + headset + " carries the camera: " + mount->from
+          : "nobody has measured where " + headset +
+                " carries this camera, so it is taken to be between the eyes; `onestroke calibrate head` measures it");
+  return {.head = stage.display.get(), .T_head_camera = mount ? mount->T_head_camera : Pose{}};
 }
 
 void open(Stage& stage, const RunOptions& options, double rate) {

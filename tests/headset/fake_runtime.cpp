@@ -155,6 +155,7 @@ XrResult get_function(XrInstance, const char* name, PFN_xrVoidFunction* function
   *function = find(functions, name);
   if (!*function) *function = session_function(name);
   if (!*function) *function = graphics_function(name);
+  if (!*function) *function = action_function(name);
   return *function ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED;
 }
 

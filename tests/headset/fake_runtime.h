@@ -46,6 +46,7 @@ bool can_show(const XrSwapchainSubImage& part);
 /// A function of that part of the runtime, null where it has none of that name.
 PFN_xrVoidFunction session_function(std::string_view name);
 PFN_xrVoidFunction graphics_function(std::string_view name);
+PFN_xrVoidFunction action_function(std::string_view name);
 
 struct Function {
   std::string_view name;

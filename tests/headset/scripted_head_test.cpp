@@ -10,6 +10,7 @@
 #include "marker/catalog.h"
 #include "render/renderer.h"
 #include "render/target.h"
+#include "scene/anchor.h"
 #include "scene/frames.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ class ScriptedHeadTest : public testing::Test {
     ring = renderer->load(golden::torus(0.02F, 0.006F, {}));
     settle();
     const SyntheticOptions still =
-        parse_synthetic_options("script=still,distance=420,width=640,height=480,fps=15,live=1");
+        parse_synthetic_options("script=still,distance=400,fps=12,live=1");
     source = make_synthetic_camera(still, catalog, std::nullopt, {&head, T_head_camera});
     camera.emplace(*source, HeadMount{&display, T_head_camera});
   }
@@ -111,7 +112,8 @@ TEST_F(ScriptedHeadTest, ModelsStayOnTheStick) {
 
   TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::newest);
   FrameFeed feed(tracking, Feed::Pace::newest, PictureTime::exposure);
-  const std::array<Vec3, 4> anchors{Vec3{}, Vec3{0, 0, 60}, Vec3{60, 0, 0}, Vec3{40, 40, 40}};
+  // The stick's corner, the ends of its arms, and where the model stands.
+  const std::array<Vec3, 4> anchors{Vec3{}, Vec3{0, -70, 0}, Vec3{70, 0, 0}, anchor_stand};
   std::vector<double> errors;
   std::vector<Duration> early, late;
   double farthest_turn = 0;
