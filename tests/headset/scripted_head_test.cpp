@@ -60,8 +60,7 @@ class ScriptedHeadTest : public testing::Test {
     renderer.emplace(gpu);
     ring = renderer->load(golden::torus(0.02F, 0.006F, {}));
     settle();
-    const SyntheticOptions still =
-        parse_synthetic_options("script=still,distance=400,fps=12,live=1");
+    const SyntheticOptions still = parse_synthetic_options("script=still,distance=400,fps=12,live=1");
     source = make_synthetic_camera(still, catalog, std::nullopt, {&head, T_head_camera});
     camera.emplace(*source, HeadMount{&display, T_head_camera});
   }
