@@ -1,6 +1,6 @@
 // Monado, but for what its simulated headset cannot show: the world behind what is drawn (alpha, additive and
-// XR_FB_passthrough, of which Monado itself hears nothing), and a LOCAL space that is recentred. Without STAGE where
-// ALTERED_RUNTIME_LACKS is "stage".
+// XR_FB_passthrough, of which Monado itself hears nothing), a LOCAL space that is recentred, and a wish to end the
+// program. Without STAGE where ALTERED_RUNTIME_LACKS is "stage".
 #include "altered_runtime.h"
 
 #include <dlfcn.h>
@@ -30,6 +30,7 @@ constexpr XrDuration until_recentred = 100'000'000;
 
 PFN_xrGetInstanceProcAddr monado = nullptr;
 XrInstance instance = XR_NULL_HANDLE;
+XrSession session = XR_NULL_HANDLE;
 XrSpace local = XR_NULL_HANDLE;
 AlteredFrame last_frame{};
 int passthrough_objects = 0;
@@ -195,6 +196,12 @@ XrResult locate_views(XrSession session, const XrViewLocateInfo* info, XrViewSta
   return result;
 }
 
+XrResult create_session(XrInstance of, const XrSessionCreateInfo* info, XrSession* made) {
+  const XrResult result = own<PFN_xrCreateSession>("xrCreateSession")(of, info, made);
+  session = *made;
+  return result;
+}
+
 XrResult locate_space(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation* out) {
   const XrResult result = own<PFN_xrLocateSpace>("xrLocateSpace")(space, base, time, out);
   if (time < recentred_at) return result;
@@ -223,6 +230,7 @@ XrResult get_function(XrInstance of, const char* name, PFN_xrVoidFunction* funct
                                   named("xrDestroyPassthroughFB", destroy_passthrough),
                                   named("xrCreatePassthroughLayerFB", create_passthrough_layer),
                                   named("xrDestroyPassthroughLayerFB", destroy_passthrough_layer),
+                                  named("xrCreateSession", create_session),
                                   named("xrEndFrame", end_frame),
                                   named("xrWaitFrame", wait_frame),
                                   named("xrPollEvent", poll_event),
@@ -247,6 +255,11 @@ __attribute__((visibility("default"))) int altered_runtime_passthrough_objects()
 }
 __attribute__((visibility("default"))) void altered_runtime_recentre() {
   recentring = true;
+}
+
+// Monado leads the session through its last states then, as it does where the program itself asks.
+__attribute__((visibility("default"))) void altered_runtime_ask_to_leave() {
+  own<PFN_xrRequestExitSession>("xrRequestExitSession")(session);
 }
 
 __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(const void* loader,

@@ -19,4 +19,6 @@ AlteredFrame altered_runtime_last_frame();
 int altered_runtime_passthrough_objects();
 /// The wearer turns LOCAL by 0.7 rad and moves it by half a metre, from 100 ms after the next frame's time on.
 void altered_runtime_recentre();
+/// The wearer ends the program in the runtime's menu.
+void altered_runtime_ask_to_leave();
 }

@@ -1,4 +1,5 @@
-// What Monado's simulated headset lacks, put before it: blend modes, passthrough, and a wearer who recentres.
+// What Monado's simulated headset lacks, put before it: blend modes, passthrough, and a wearer who
+// recentres and leaves.
 #include "altered_runtime.h"
 #include "headset/headset.h"
 
@@ -34,6 +35,16 @@ TEST_F(Recentred, TheWorldStaysWhereItIs) {
   }
   EXPECT_GT(remembered, 40);
   EXPECT_LT(apart, 5) << "mm";
+}
+
+using AskedToLeave = Headset;
+
+TEST_F(AskedToLeave, EndsPlainly) {
+  show(10);
+  altered<decltype(altered_runtime_ask_to_leave)>("altered_runtime_ask_to_leave")();
+  for (const Time until = Time::now() + longest_show; !display->closed() && Time::now() < until;) blink();
+  EXPECT_TRUE(display->closed());
+  EXPECT_NO_THROW(display->finish());
 }
 
 class SeeThrough : public Headset {
