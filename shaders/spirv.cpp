@@ -8,6 +8,7 @@ namespace {
 #include "cut_vert.spv.h"
 #include "finger_frag.spv.h"
 #include "finger_vert.spv.h"
+#include "depth_frag.spv.h"
 #include "foreground_frag.spv.h"
 #include "full_screen_vert.spv.h"
 #include "imgui_frag.spv.h"
@@ -40,6 +41,10 @@ std::span<const std::uint32_t> finger_frag() {
 std::span<const std::uint32_t> full_screen_vert() {
   return full_screen_vert_words;
 }
+std::span<const std::uint32_t> depth_frag() {
+  return depth_frag_words;
+}
+
 std::span<const std::uint32_t> foreground_frag() {
   return foreground_frag_words;
 }

@@ -11,6 +11,7 @@ std::span<const std::uint32_t> passthrough_frag();
 std::span<const std::uint32_t> finger_vert();
 std::span<const std::uint32_t> finger_frag();
 std::span<const std::uint32_t> full_screen_vert();
+std::span<const std::uint32_t> depth_frag();
 std::span<const std::uint32_t> foreground_frag();
 std::span<const std::uint32_t> probe_frag();
 std::span<const std::uint32_t> unpack_frag();

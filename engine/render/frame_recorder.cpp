@@ -56,6 +56,7 @@ FrameRecorder::FrameRecorder(Device& device, const Layouts& layouts, const Model
       multiview_(multiview),
       models_(models),
       targets_(device),
+      depth_(device, layouts),
       sampler_(make_sampler(device)),
       glyphs_(make_glyphs(device)),
       gui_(device, glyphs_, *sampler_) {}
@@ -134,6 +135,14 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
                                                  .descriptorType = Type::eCombinedImageSampler,
                                                  .pImageInfo = images.data()}};
   device_.vk().updateDescriptorSets(writes, {});
+  if (!targets_.foreground_depth()) return;
+  const vk::DescriptorImageInfo depth{{}, targets_.foreground_depth(), Layout::eDepthStencilReadOnlyOptimal};
+  device_.vk().updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = slot.set,
+                                                           .dstBinding = BINDING_DEPTH,
+                                                           .descriptorCount = 1,
+                                                           .descriptorType = Type::eSampledImage,
+                                                           .pImageInfo = &depth},
+                                    {});
 }
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
@@ -162,6 +171,9 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
     record_picture(slot, pass, pipelines, drawn, target, scene, seen);
     if (views.size() == 1) gui_.record(slot.commands, slot.arena.handle(), drawn.front().viewport, scene.gui);
     slot.commands.endRendering();
+    if (target.depth.image)
+      depth_.record(slot.commands, target, pass, area_of(drawn.front().viewport),
+                    data_.passthrough ? &surface_ : nullptr);
   }
   FrameTargets::close(slot.commands, target);
 }

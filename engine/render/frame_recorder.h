@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/depth_pass.h"
 #include "render/depth_surface.h"
 #include "render/finger_layer.h"
 #include "render/frame_data.h"
@@ -58,6 +59,7 @@ class FrameRecorder {
   Overlay overlay_;
   DepthSurface surface_;
   FrameTargets targets_;
+  DepthPass depth_;
   vk::raii::Sampler sampler_;
   Image glyphs_;
   ImguiPass gui_;

@@ -15,6 +15,7 @@ vk::raii::DescriptorPool make_descriptors(Device& device) {
   const std::array sizes{vk::DescriptorPoolSize{Type::eUniformBufferDynamic, frames_in_flight},
                          vk::DescriptorPoolSize{Type::eUniformBuffer, frames_in_flight},
                          vk::DescriptorPoolSize{Type::eStorageBuffer, frames_in_flight},
+                         vk::DescriptorPoolSize{Type::eSampledImage, frames_in_flight},
                          vk::DescriptorPoolSize{Type::eCombinedImageSampler, 6 * frames_in_flight}};
   return device.vk().createDescriptorPool({.maxSets = frames_in_flight,
                                            .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),

@@ -15,6 +15,8 @@ constexpr Access draw_color{Stage::eColorAttachmentOutput, Reach::eColorAttachme
 constexpr Access draw_depth{Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,
                             Reach::eDepthStencilAttachmentRead | Reach::eDepthStencilAttachmentWrite};
 
+constexpr auto depth_and_stencil = vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil;
+
 bool fits(const Image& image, const ImageInfo& wanted) {
   const ImageInfo& has = image.info();
   return image && has.format == wanted.format && has.width == wanted.width && has.height == wanted.height &&
@@ -30,7 +32,9 @@ void FrameTargets::fit(const RenderTarget& target, std::uint32_t views_at_once, 
                  .layers = views_at_once,
                  .array = true,
                  .usage = Usage::eColorAttachment | Usage::eSampled};
-  if (fits(foreground_, info)) return;
+  const bool tells_depth = target.depth.image != VK_NULL_HANDLE;
+  if (fits(foreground_, info) && tells_depth == static_cast<bool>(depth_view_)) return;
+  graveyard.bury(std::move(depth_view_));
   graveyard.bury(std::move(color_));
   graveyard.bury(std::move(depth_));
   graveyard.bury(std::move(foreground_));
@@ -39,8 +43,9 @@ void FrameTargets::fit(const RenderTarget& target, std::uint32_t views_at_once, 
   info.usage = Usage::eColorAttachment | Usage::eTransientAttachment;
   color_ = Image(device_, info);
   info.format = depth_format(device_);
-  info.usage = Usage::eDepthStencilAttachment | Usage::eTransientAttachment;
+  info.usage = Usage::eDepthStencilAttachment | (tells_depth ? Usage::eSampled : Usage::eTransientAttachment);
   depth_ = Image(device_, info);
+  if (tells_depth) depth_view_ = std::make_shared<vk::raii::ImageView>(make_depth_view(device_, depth_));
 }
 
 void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, const FramePass& pass) const {
@@ -49,8 +54,8 @@ void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, con
   image_barrier(commands, color_.handle(), to_draw, draw_color, draw_color);
   image_barrier(commands, foreground_.handle(), to_draw,
                 {sampled_by_fragments.stage | draw_color.stage, draw_color.access}, draw_color);
-  image_barrier(commands, depth_.handle(), {Layout::eUndefined, Layout::eDepthStencilAttachmentOptimal}, draw_depth,
-                draw_depth, vk::ImageAspectFlagBits::eDepth | vk::ImageAspectFlagBits::eStencil);
+  image_barrier(commands, depth_.handle(), {Layout::eUndefined, Layout::eDepthStencilAttachmentOptimal},
+                {sampled_by_fragments.stage | draw_depth.stage, draw_depth.access}, draw_depth, depth_and_stencil);
   const vk::RenderingAttachmentInfo color{.imageView = color_.view(),
                                           .imageLayout = Layout::eColorAttachmentOptimal,
                                           .resolveMode = vk::ResolveModeFlagBits::eAverage,
@@ -58,11 +63,12 @@ void FrameTargets::begin_foreground(const vk::raii::CommandBuffer& commands, con
                                           .resolveImageLayout = Layout::eColorAttachmentOptimal,
                                           .loadOp = vk::AttachmentLoadOp::eClear,
                                           .storeOp = vk::AttachmentStoreOp::eDontCare};
-  const vk::RenderingAttachmentInfo depth{.imageView = depth_.view(),
-                                          .imageLayout = Layout::eDepthStencilAttachmentOptimal,
-                                          .loadOp = vk::AttachmentLoadOp::eClear,
-                                          .storeOp = vk::AttachmentStoreOp::eDontCare,
-                                          .clearValue = {.depthStencil = {0.0F, no_layers}}};
+  const vk::RenderingAttachmentInfo depth{
+      .imageView = depth_.view(),
+      .imageLayout = Layout::eDepthStencilAttachmentOptimal,
+      .loadOp = vk::AttachmentLoadOp::eClear,
+      .storeOp = depth_view_ ? vk::AttachmentStoreOp::eStore : vk::AttachmentStoreOp::eDontCare,
+      .clearValue = {.depthStencil = {0.0F, no_layers}}};
   commands.beginRendering({.renderArea = pass.foreground,
                            // Without a meaning where there is a view mask; some drivers keep the views within it.
                            .layerCount = color_.info().layers,
@@ -77,12 +83,19 @@ void FrameTargets::end_foreground(const vk::raii::CommandBuffer& commands) const
   commands.endRendering();
   image_barrier(commands, foreground_.handle(), {Layout::eColorAttachmentOptimal, Layout::eShaderReadOnlyOptimal},
                 draw_color, sampled_by_fragments);
+  if (depth_view_)
+    image_barrier(commands, depth_.handle(),
+                  {Layout::eDepthStencilAttachmentOptimal, Layout::eDepthStencilReadOnlyOptimal}, draw_depth,
+                  sampled_by_fragments, depth_and_stencil);
 }
 
 void FrameTargets::open(const vk::raii::CommandBuffer& commands, const RenderTarget& target) {
   // Submission waits for the display's image at the stage of colour output.
   image_barrier(commands, target.image, {Layout::eUndefined, Layout::eColorAttachmentOptimal},
                 {Stage::eColorAttachmentOutput, {}}, draw_color);
+  if (target.depth.image)
+    image_barrier(commands, target.depth.image, {Layout::eUndefined, Layout::eDepthStencilAttachmentOptimal},
+                  {Stage::eAllCommands, {}}, draw_depth, vk::ImageAspectFlagBits::eDepth);
 }
 
 void FrameTargets::close(const vk::raii::CommandBuffer& commands, const RenderTarget& target) {

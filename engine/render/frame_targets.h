@@ -21,11 +21,14 @@ class FrameTargets {
   void fit(const RenderTarget& target, std::uint32_t views_at_once, Graveyard& graveyard);
   /// The foreground as the picture's pass samples it: premultiplied, an array.
   vk::ImageView foreground() const { return foreground_.view(); }
+  /// Its depth as the pass for a target that wants depth samples it, an array; null for other targets.
+  vk::ImageView foreground_depth() const { return depth_view_ ? **depth_view_ : vk::ImageView(); }
 
   void begin_foreground(const vk::raii::CommandBuffer& commands, const FramePass& pass) const;
   void end_foreground(const vk::raii::CommandBuffer& commands) const;
 
   /// Takes the display's image for drawing, and gives it back.
+  /// With the depth that it wants, if any.
   static void open(const vk::raii::CommandBuffer& commands, const RenderTarget& target);
   static void close(const vk::raii::CommandBuffer& commands, const RenderTarget& target);
   /// Within a pass's viewport.
@@ -35,6 +38,7 @@ class FrameTargets {
  private:
   Device& device_;
   Image color_, depth_, foreground_;
+  std::shared_ptr<vk::raii::ImageView> depth_view_;
 };
 
 }  // namespace onestroke

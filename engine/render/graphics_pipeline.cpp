@@ -78,16 +78,18 @@ vk::raii::Pipeline make_graphics_pipeline(Device& device, const PipelineRecipe& 
   const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = recipe.samples};
   const vk::PipelineDepthStencilStateCreateInfo depth_stencil = depth_stencil_of(recipe);
   const auto blend = blend_of(recipe);
-  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = 1, .pAttachments = &blend};
+  const std::uint32_t colors = recipe.color == vk::Format::eUndefined ? 0 : 1;
+  const vk::PipelineColorBlendStateCreateInfo blends{.attachmentCount = colors, .pAttachments = &blend};
   const std::array dynamic{vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
                            vk::DynamicState::eFrontFace};
   const vk::PipelineDynamicStateCreateInfo dynamics{.dynamicStateCount = recipe.sets_culling ? 4U : 2U,
                                                     .pDynamicStates = dynamic.data()};
-  const vk::PipelineRenderingCreateInfo rendering{.viewMask = recipe.view_mask,
-                                                  .colorAttachmentCount = 1,
-                                                  .pColorAttachmentFormats = &recipe.color,
-                                                  .depthAttachmentFormat = recipe.depth,
-                                                  .stencilAttachmentFormat = recipe.depth};
+  const vk::PipelineRenderingCreateInfo rendering{
+      .viewMask = recipe.view_mask,
+      .colorAttachmentCount = colors,
+      .pColorAttachmentFormats = &recipe.color,
+      .depthAttachmentFormat = recipe.depth,
+      .stencilAttachmentFormat = has_stencil(recipe.depth) ? recipe.depth : vk::Format::eUndefined};
   return device.vk().createGraphicsPipeline(device.pipeline_cache(), {.pNext = &rendering,
                                                                       .stageCount = shades ? 2U : 1U,
                                                                       .pStages = stages.data(),

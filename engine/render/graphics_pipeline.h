@@ -25,8 +25,8 @@ struct PipelineRecipe {
   std::span<const vk::VertexInputBindingDescription> bindings{};
   std::span<const vk::VertexInputAttributeDescription> attributes{};
   vk::PrimitiveTopology topology = vk::PrimitiveTopology::eTriangleList;
-  vk::Format color = vk::Format::eUndefined;
-  vk::Format depth = vk::Format::eUndefined;  ///< Of the attachment, with a stencil; none here.
+  vk::Format color = vk::Format::eUndefined;  ///< Of the attachment; none here.
+  vk::Format depth = vk::Format::eUndefined;  ///< Of the attachment, with a stencil or without; none here.
   vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
   std::uint32_t view_mask = 0;  ///< A bit for every view that is drawn at once; 0 for one by itself.
   bool tests_depth = false;     ///< The reverse way round: nearer is greater.

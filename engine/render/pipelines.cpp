@@ -139,7 +139,8 @@ vk::raii::DescriptorSetLayout frame_layout(Device& device) {
       vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_ROOM, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_FINGERS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_FOREGROUND, Type::eCombinedImageSampler, 1, ShaderStage::eFragment}};
+      vk::DescriptorSetLayoutBinding{BINDING_FOREGROUND, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_DEPTH, Type::eSampledImage, 1, ShaderStage::eFragment}};
   return make_set_layout(device, bindings);
 }
 

@@ -10,7 +10,7 @@ namespace onestroke {
 
 namespace {
 
-constexpr float near_metres = 0.02F;
+constexpr float near_metres = static_cast<float>(near_plane * metres_per_millimetre);
 
 }  // namespace
 

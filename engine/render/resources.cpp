@@ -6,8 +6,8 @@ namespace {
 
 vk::ImageAspectFlags aspect_of(vk::Format format) {
   using Aspect = vk::ImageAspectFlagBits;
-  const bool depth = format == vk::Format::eD32SfloatS8Uint || format == vk::Format::eD24UnormS8Uint;
-  return depth ? Aspect::eDepth | Aspect::eStencil : Aspect::eColor;
+  if (has_stencil(format)) return Aspect::eDepth | Aspect::eStencil;
+  return format == vk::Format::eD32Sfloat || format == vk::Format::eD16Unorm ? Aspect::eDepth : Aspect::eColor;
 }
 
 vk::raii::ImageView make_view(Device& device, vk::Image image, const ImageInfo& info, vk::Format format,
@@ -26,6 +26,10 @@ vk::raii::ImageView make_view(Device& device, vk::Image image, const ImageInfo& 
 }
 
 }  // namespace
+
+bool has_stencil(vk::Format format) {
+  return format == vk::Format::eD32SfloatS8Uint || format == vk::Format::eD24UnormS8Uint;
+}
 
 Buffer::Buffer(Device& device, std::uint64_t size, vk::BufferUsageFlags usage, MemoryPool::Use use)
     : buffer_(device.vk().createBuffer({.size = size, .usage = usage})), size_(size) {
@@ -51,6 +55,15 @@ Image::Image(Device& device, const ImageInfo& info) : info_(info) {
   image_.bindMemory(allocation_.memory(), allocation_.offset());
   view_ = make_view(device, *image_, info, info.format, info.usage);
   if (two) second_view_ = make_view(device, *image_, info, info.second_format, vk::ImageUsageFlagBits::eSampled);
+}
+
+vk::raii::ImageView make_depth_view(Device& device, const Image& image) {
+  return device.vk().createImageView(
+      {.image = image.handle(),
+       .viewType = vk::ImageViewType::e2DArray,
+       .format = image.info().format,
+       .subresourceRange = {
+           .aspectMask = vk::ImageAspectFlagBits::eDepth, .levelCount = 1, .layerCount = image.info().layers}});
 }
 
 vk::raii::ImageView make_layer_view(Device& device, const Image& image, std::uint32_t layer) {

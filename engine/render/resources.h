@@ -25,6 +25,9 @@ class Buffer {
   std::uint64_t size_ = 0;
 };
 
+/// Of the formats of depth that are in use here.
+bool has_stencil(vk::Format format);
+
 struct ImageInfo {
   vk::Format format = vk::Format::eUndefined;
   std::uint32_t width = 0, height = 0, mip_levels = 1, layers = 1;
@@ -55,6 +58,9 @@ class Image {
   vk::raii::ImageView view_{nullptr}, second_view_{nullptr};
   ImageInfo info_;
 };
+
+/// All of an image's depth without its stencil, an array; for sampling.
+vk::raii::ImageView make_depth_view(Device& device, const Image& image);
 
 /// One layer of an image, 2D.
 vk::raii::ImageView make_layer_view(Device& device, const Image& image, std::uint32_t layer);

@@ -23,6 +23,8 @@ struct View {
 };
 
 inline constexpr int max_views = 2;
+/// What is nearer is not drawn, mm.
+inline constexpr double near_plane = 20;
 
 /// Pixels for each unit of a tangent.
 inline double focal_length_px(const View& view) {

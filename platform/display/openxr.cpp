@@ -44,7 +44,8 @@ struct Seat {
         spaces(session.handle()),
         actions(instance, session.handle()),
         hands(instance, session.handle()),
-        swapchain(*device, session.handle(), session.view_size(), mirrored) {
+        swapchain(*device, session.handle(), session.view_size(),
+                  {.copied = mirrored, .depth = instance.has(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME)}) {
     if (world == World::passthrough) passthrough.emplace(instance, session.handle());
   }
   Seat(const Seat&) = delete;
@@ -157,11 +158,16 @@ struct OpenXrDisplay::Impl {
     if (mirror) mirror->copy(drawn);
     seat->swapchain.release();
     std::array<XrCompositionLayerProjectionView, max_views> views;
+    std::array<XrCompositionLayerDepthInfoKHR, max_views> depths;
     for (std::uint32_t i = 0; i < max_views; ++i) {
       views.at(i) = typed<XrCompositionLayerProjectionView>(XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
       views.at(i).pose = seat->spaces.eye(i).pose;
       views.at(i).fov = seat->spaces.eye(i).fov;
       views.at(i).subImage = seat->swapchain.part_for(i);
+      if (const auto depth = seat->swapchain.depth_for(i)) {
+        depths.at(i) = *depth;
+        views.at(i).next = &depths.at(i);
+      }
     }
     InlineVector<const XrCompositionLayerBaseHeader*, 2> layers;
     XrCompositionLayerPassthroughFB beneath;
