@@ -1,5 +1,7 @@
 #include "render/graphics_pipeline.h"
 
+#include "render/resources.h"
+
 namespace onestroke {
 
 namespace {

@@ -58,7 +58,7 @@ class DepthTargets : public StageOfViews {
     using Layout = vk::ImageLayout;
     const std::size_t texels = static_cast<std::size_t>(width) * height;
     const Buffer buffer(device, texels * image.info().layers * sizeof(float), vk::BufferUsageFlagBits::eTransferDst,
-                        MemoryPool::Use::download);
+                        MemoryPool::Use::readback);
     device.run_now([&](const vk::raii::CommandBuffer& commands) {
       image_barrier(commands, image.handle(), {Layout::eDepthStencilAttachmentOptimal, Layout::eTransferSrcOptimal},
                     {vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eDepthStencilAttachmentWrite},

@@ -133,11 +133,21 @@ XrResult destroy_passthrough_layer(XrPassthroughLayerFB) {
   return --passthrough_objects, XR_SUCCESS;
 }
 
+void look_for_depth(const XrCompositionLayerProjection& layer) {
+  for (std::uint32_t i = 0; i < layer.viewCount; ++i) {
+    const auto* depth = static_cast<const XrCompositionLayerDepthInfoKHR*>(layer.views[i].next);
+    if (!depth || depth->type != XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR) continue;
+    ++last_frame.views_with_depth;
+    last_frame.near_z = depth->nearZ;
+    last_frame.far_z = depth->farZ;
+  }
+}
+
 XrResult end_frame(XrSession session, const XrFrameEndInfo* info) {
   XrFrameEndInfo known = *info;
   known.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   std::vector<const XrCompositionLayerBaseHeader*> layers;
-  if (info->layerCount > 0) last_frame = {info->environmentBlendMode, info->layerCount, XR_FALSE, 0};
+  if (info->layerCount > 0) last_frame = {info->environmentBlendMode, info->layerCount, XR_FALSE, 0, 0, 0, 0};
   for (std::uint32_t i = 0; i < info->layerCount; ++i) {
     const XrCompositionLayerBaseHeader* layer = info->layers[i];
     if (layer->type == XR_TYPE_COMPOSITION_LAYER_PASSTHROUGH_FB) {
@@ -145,6 +155,7 @@ XrResult end_frame(XrSession session, const XrFrameEndInfo* info) {
       continue;
     }
     last_frame.projection_flags = layer->layerFlags;
+    look_for_depth(*reinterpret_cast<const XrCompositionLayerProjection*>(layer));
     layers.push_back(layer);
   }
   known.layerCount = static_cast<std::uint32_t>(layers.size());

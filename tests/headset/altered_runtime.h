@@ -12,6 +12,8 @@ struct AlteredFrame {
   std::uint32_t layers;
   XrBool32 passthrough_first;
   XrCompositionLayerFlags projection_flags;
+  int views_with_depth;
+  float near_z, far_z;  // of the last of these
 };
 /// The last frame that had layers.
 AlteredFrame altered_runtime_last_frame();

@@ -5,6 +5,8 @@
 
 #include <dlfcn.h>
 
+#include <cmath>
+
 namespace onestroke {
 namespace {
 
@@ -80,6 +82,9 @@ TEST_F(SeeThrough, FramesAreBlendedAsWasAskedFor) {
     EXPECT_EQ(frame.blend_mode, mode);
     EXPECT_EQ(frame.layers, world == World::passthrough ? 2U : 1U);
     EXPECT_EQ(frame.passthrough_first, world == World::passthrough);
+    EXPECT_EQ(frame.views_with_depth, 2);
+    EXPECT_TRUE(std::isinf(frame.near_z)) << "reverse depth: infinity at 0";
+    EXPECT_NEAR(frame.far_z, 0.02, 1e-6) << "m, at 1";
     EXPECT_EQ(frame.projection_flags, world == World::camera ? 0 : XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT);
   }
 }
