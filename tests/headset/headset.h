@@ -95,6 +95,32 @@ class Headset : public testing::Test {
     ASSERT_EQ(shown.size(), frames) << "closed: " << display->closed();
   }
 
+  /// Where the head was, as the display remembers it, when a frame was seen.
+  struct Remembered {
+    FrameInfo frame;
+    Pose T_world_head;
+  };
+  /// Shows so many frames, asks for each as soon as it was seen, and leaves all in `shown`. A busy machine may take
+  /// longer over them than the display remembers.
+  std::vector<Remembered> show_and_ask(std::size_t frames) {
+    std::vector<Remembered> remembered;
+    std::vector<FrameInfo> all, not_seen_yet;
+    const auto ask = [&](const FrameInfo& frame) {
+      if (frame.time >= Time::now()) return false;
+      if (const auto head = display->head_at(frame.time)) remembered.push_back({frame, *head});
+      return true;
+    };
+    while (all.size() < frames && !HasFatalFailure()) {
+      show(1);
+      if (shown.empty()) break;
+      all.push_back(shown.front());
+      not_seen_yet.push_back(shown.front());
+      std::erase_if(not_seen_yet, ask);
+    }
+    shown = std::move(all);
+    return remembered;
+  }
+
   /// A frame of nothing; whether it was wanted.
   bool blink() {
     FrameInfo frame;

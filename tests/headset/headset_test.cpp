@@ -133,14 +133,11 @@ TEST_F(StillHead, ViewsStayWhereTheyAre) {
 // history tells where they were then. The simulated head moves by a formula, so
 // that its predictions come true.
 TEST_F(WobblingHead, TheHeadIsRememberedWhereItWasPredicted) {
-  show(60);
   std::vector<double> apart_mm, apart_rad;
-  for (const FrameInfo& frame : shown) {
-    const auto head = frame.time < Time::now() ? display->head_at(frame.time) : std::nullopt;
-    if (!head) continue;
+  for (const auto& [frame, head] : show_and_ask(60)) {
     const Pose &left = frame.views[0].T_world_view, &right = frame.views[1].T_world_view;
-    apart_mm.push_back(norm(head->translation - 0.5 * (left.translation + right.translation)));
-    apart_rad.push_back(angle_between(head->rotation, left.rotation));
+    apart_mm.push_back(norm(head.translation - 0.5 * (left.translation + right.translation)));
+    apart_rad.push_back(angle_between(head.rotation, left.rotation));
   }
   ASSERT_GT(apart_mm.size(), 40U);
   // A clock that is 5 ms off makes 0.5 mm and 0.00025 rad of it; a frame
