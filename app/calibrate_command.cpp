@@ -39,7 +39,7 @@ void print(std::ostream& out, const HeadCalibration& c) {
   const Vec3 &t = c.T_head_camera.translation, mm = c.deviation_mm, deg = c.deviation_deg;
   const Vec3 turned = (180 / std::numbers::pi) * log_so3(c.T_head_camera.rotation);
   const HeadResiduals& r = c.residuals;
-  print(out, "the camera in the head, to the right, down and forward:");
+  out << "the camera in the head, to the right, down and forward:\n";
   print(out, "  at      %8.2f %8.2f %8.2f mm       +- %.2f %.2f %.2f", t.x, t.y, t.z, mm.x, mm.y, mm.z);
   print(out, "  turned  %8.3f %8.3f %8.3f degrees  +- %.3f %.3f %.3f", turned.x, turned.y, turned.z, deg.x, deg.y,
         deg.z);
