@@ -6,9 +6,9 @@ namespace {
 
 #include "cut_frag.spv.h"
 #include "cut_vert.spv.h"
+#include "depth_frag.spv.h"
 #include "finger_frag.spv.h"
 #include "finger_vert.spv.h"
-#include "depth_frag.spv.h"
 #include "foreground_frag.spv.h"
 #include "full_screen_vert.spv.h"
 #include "imgui_frag.spv.h"
