@@ -2,6 +2,7 @@
 
 #include "app/head_mount.h"
 #include "app/head_recording.h"
+#include "app/say.h"
 #include "core/error.h"
 
 #include <array>
@@ -68,8 +69,7 @@ int calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     keep_mount(report);
     out << "kept in " << mounts_file().string() << " for " << report.headset << ", where `onestroke run` finds it\n";
   }
-  if (!out.flush())
-    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
+  end_output(out);
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include "app/cache_folder.h"
 #include "app/doctor_report.h"
 #include "app/head_mount.h"
+#include "app/say.h"
 #include "core/error.h"
 #include "display/headset_survey.h"
 #include "display/window.h"
@@ -195,8 +196,7 @@ int doctor_command(const DoctorOptions& options, std::ostream& out) {
   look(findings, "Files", look_at_catalog, true);
   look(findings, "Files", look_at_mounts, false);
   out << (options.json ? to_json(findings) : to_text(findings));
-  if (!out.flush())
-    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
+  end_output(out);
   return can_run(findings) ? 0 : 1;
 }
 

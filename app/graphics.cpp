@@ -1,11 +1,18 @@
 #include "app/graphics.h"
 
+#include "app/cache_folder.h"
 #include "app/progress.h"
 #include "core/error.h"
 
+#include <cstdlib>
 #include <utility>
 
 namespace onestroke {
+
+GpuOptions gpu_options(const std::string& gpu) {
+  const char* validation = std::getenv("ONESTROKE_VALIDATION");
+  return {.validation = validation && *validation, .gpu = gpu, .cache_folder = cache_folder()};
+}
 
 Graphics::Graphics(Display& display, Wanted wanted) : display_(display), wanted_(std::move(wanted)) {
   wanted_.gpu.needs = display.needs();

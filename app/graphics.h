@@ -7,8 +7,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace onestroke {
+
+/// The GPU that a command is asked for, by --gpu, with what the environment asks for. What a display needs is not in
+/// it.
+GpuOptions gpu_options(const std::string& gpu);
 
 /// A show's GPU and all that is on it: the display's images, the renderer, the models and their differences. What is
 /// lost with the GPU can be made again. One thread, the display's.

@@ -1,4 +1,4 @@
-#include "app/cache_folder.h"
+#include "app/graphics.h"
 #include "app/head_camera.h"
 #include "app/head_recording.h"
 #include "app/interrupt.h"
@@ -12,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -54,11 +53,6 @@ class Prompter {
   std::string words_;
 };
 
-bool validation_wanted() {
-  const char* value = std::getenv("ONESTROKE_VALIDATION");
-  return value && *value;
-}
-
 void record(Display& display, TrackingThread& tracking, Prompter& prompter, const CalibrateOptions& options,
             HeadRecording& recording) {
   Progress progress;
@@ -98,10 +92,9 @@ HeadRecording record_live(const CalibrateOptions& options) {
     throw UsageError("the pictures of " + options.source.camera +
                      " are not taken now, by the headset's camera: give --head-poses FILE with where the head was");
   HeadRecording recording{.sights = {}, .headset = display->headset(), .camera = options.source.camera};
-  Gpu gpu({.needs = display->needs(),
-           .validation = validation_wanted(),
-           .gpu = options.gpu,
-           .cache_folder = cache_folder()});
+  GpuOptions wanted = gpu_options(options.gpu);
+  wanted.needs = display->needs();
+  Gpu gpu(wanted);
   display->attach(gpu);
   Prompter prompter(gpu);
   HeadCamera head(*camera, mount);

@@ -1,5 +1,6 @@
 #include "app/marker_command.h"
 
+#include "app/say.h"
 #include "core/error.h"
 
 #include <algorithm>
@@ -76,8 +77,7 @@ int marker_command(const MarkerOptions& options, std::ostream& out) {
       break;
     }
   }
-  if (!out.flush())
-    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
+  end_output(out);
   return 0;
 }
 

@@ -143,13 +143,11 @@ HeadMount find_head(Stage& stage, const RunOptions& options) {
 void open(Stage& stage, const RunOptions& options, double rate) {
   if (!stage.display) stage.display = open_display(stage.spec, display_options(options, stage.offscreen, rate));
   stage.graphics = std::make_unique<Graphics>(
-      *stage.display,
-      Graphics::Wanted{
-          .catalog = stage.catalog,
-          .catalog_file = options.catalog,
-          // A window shows how far the models are; files would show it for ever.
-          .models_first = stage.offscreen,
-          .gpu = {.validation = set("ONESTROKE_VALIDATION"), .gpu = options.gpu, .cache_folder = cache_folder()}});
+      *stage.display, Graphics::Wanted{.catalog = stage.catalog,
+                                       .catalog_file = options.catalog,
+                                       // A window shows how far the models are; files would show it for ever.
+                                       .models_first = stage.offscreen,
+                                       .gpu = gpu_options(options.gpu)});
 }
 
 /// The show from its first frame to its last.
@@ -183,11 +181,6 @@ void play(Stage& stage, const Play& what, const RunOptions& options, std::ostrea
   for (const std::string& line : display.report()) out << line << '\n';
   if (snapshots > 0)
     out << "wrote " << snapshots << (snapshots == 1 ? " snapshot" : " snapshots") << " to " << folder.string() << '\n';
-}
-
-void flush(std::ostream& out) {
-  if (!out.flush())
-    throw Error("standard output cannot be written; check where it leads and that the disk is not full");
 }
 
 /// Ends the log. A log that somebody asked for must be whole.
@@ -225,7 +218,7 @@ int run_live(RunOptions options, std::ostream& out) {
   FrameFeed feed(tracking, pace, stage.display->shows_world() ? PictureTime::seen : options.mode);
   play(stage, {feed, limits, pictures_expected(limits, *camera), log.get()}, options, out);
   if (log) finish(*log, !options.log.empty(), out);
-  flush(out);
+  end_output(out);
   if (!feed.message().empty()) throw Error(feed.message());
   return 0;
 }
@@ -243,7 +236,7 @@ int run_again(const RunOptions& given, std::ostream& out) {
 
   catch_interrupt();
   play(stage, {feed, limits_for(options)}, options, out);
-  flush(out);
+  end_output(out);
   if (!feed.message().empty()) throw Error(feed.message());
   if (!session.note().empty()) say(session.note());
   if (camera && feed.dark_pictures() > 0)

@@ -22,10 +22,6 @@ constexpr std::size_t remembered = 512;
 constexpr XrSpaceLocationFlags needed = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
 constexpr XrSpaceVelocityFlags both = XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
 
-Vec3 vector_of(const XrVector3f& v) {
-  return {v.x, v.y, v.z};
-}
-
 }  // namespace
 
 OpenXrHead::OpenXrHead() : history_(remembered) {}

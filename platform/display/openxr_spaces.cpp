@@ -14,9 +14,6 @@ namespace {
 Quat quat_of(const XrQuaternionf& q) {
   return {q.w, q.x, q.y, q.z};
 }
-Vec3 vector_of(const XrVector3f& v) {
-  return {v.x, v.y, v.z};
-}
 XrVector3f xr_vector(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -41,6 +38,10 @@ XrSpace make_space(XrSession session, XrReferenceSpaceType kind) {
   XrSpace space = XR_NULL_HANDLE;
   check(xrCreateReferenceSpace(session, &info, &space), "the OpenXR runtime does not follow the head: restart it");
   return space;
+}
+
+Vec3 vector_of(const XrVector3f& v) {
+  return {v.x, v.y, v.z};
 }
 
 Pose pose_of(const XrPosef& pose) {

@@ -19,6 +19,9 @@ struct OpenXrPlace {
 /// A space of the runtime's own, its origin as it is. Throws OpenXrError.
 XrSpace make_space(XrSession session, XrReferenceSpaceType kind);
 
+/// A vector of OpenXR's as it is: graphics axes, metres.
+Vec3 vector_of(const XrVector3f& v);
+
 /// A pose of OpenXR's in vision axes and mm.
 Pose pose_of(const XrPosef& pose);
 

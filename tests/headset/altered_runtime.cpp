@@ -3,6 +3,8 @@
 // program. Without STAGE where ALTERED_RUNTIME_LACKS is "stage".
 #include "altered_runtime.h"
 
+#include "runtime_parts.h"
+
 #include <dlfcn.h>
 
 #include <array>
@@ -16,14 +18,10 @@
 
 namespace {
 
-// How a loader and a runtime shake hands; from the specification of OpenXR's loader, 1.0.
-struct RuntimeRequest {
-  std::uint32_t struct_type, struct_version;
-  std::size_t struct_size;
-  std::uint32_t interface_version;
-  XrVersion api_version;
-  PFN_xrGetInstanceProcAddr get_function;
-};
+using runtime_parts::find;
+using runtime_parts::give;
+using runtime_parts::named;
+using runtime_parts::RuntimeRequest;
 
 constexpr const char* passthrough_name = "XR_FB_passthrough";
 constexpr XrDuration until_recentred = 100'000'000;
@@ -64,16 +62,6 @@ XrPosef inverse(const XrPosef& a) {
   return {q, rotated(q, {-a.position.x, -a.position.y, -a.position.z})};
 }
 
-/// The usual answer to a call that is made twice.
-template <typename T>
-XrResult give(const std::vector<T>& all, std::uint32_t capacity, std::uint32_t* count, T* out) {
-  *count = static_cast<std::uint32_t>(all.size());
-  if (capacity == 0) return XR_SUCCESS;
-  if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
-  std::copy(all.begin(), all.end(), out);
-  return XR_SUCCESS;
-}
-
 XrResult enumerate_extensions(const char* layer, std::uint32_t capacity, std::uint32_t* count,
                               XrExtensionProperties* out) {
   const auto ask = own<PFN_xrEnumerateInstanceExtensionProperties>("xrEnumerateInstanceExtensionProperties", nullptr);
@@ -111,9 +99,9 @@ XrResult get_system_properties(XrInstance of, XrSystemId system, XrSystemPropert
 
 XrResult enumerate_blend_modes(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity,
                                std::uint32_t* count, XrEnvironmentBlendMode* out) {
-  return give<XrEnvironmentBlendMode>(
-      {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ADDITIVE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND},
-      capacity, count, out);
+  return give(std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ADDITIVE,
+                         XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND},
+              capacity, count, out);
 }
 
 XrResult create_passthrough(XrSession, const XrPassthroughCreateInfoFB*, XrPassthroughFB* made) {
@@ -221,16 +209,6 @@ XrResult locate_space(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation*
   return result;
 }
 
-struct Function {
-  std::string_view name;
-  PFN_xrVoidFunction address;
-};
-
-template <typename F>
-Function named(std::string_view name, F* function) {
-  return {name, reinterpret_cast<PFN_xrVoidFunction>(function)};
-}
-
 XrResult get_function(XrInstance of, const char* name, PFN_xrVoidFunction* function) {
   static const std::array altered{named("xrGetInstanceProcAddr", get_function),
                                   named("xrEnumerateInstanceExtensionProperties", enumerate_extensions),
@@ -249,8 +227,7 @@ XrResult get_function(XrInstance of, const char* name, PFN_xrVoidFunction* funct
                                   named("xrCreateReferenceSpace", create_space),
                                   named("xrLocateViews", locate_views),
                                   named("xrLocateSpace", locate_space)};
-  for (const Function& f : altered)
-    if (f.name == name) return *function = f.address, XR_SUCCESS;
+  if (PFN_xrVoidFunction found = find(altered, name)) return *function = found, XR_SUCCESS;
   return monado(of, name, function);
 }
 

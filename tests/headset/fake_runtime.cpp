@@ -30,15 +30,9 @@
 namespace fake_runtime {
 namespace {
 
-// How a loader and a runtime shake hands; from the specification of OpenXR's loader, 1.0.
+using runtime_parts::RuntimeRequest;
+
 constexpr std::uint32_t interface_version = 1, struct_version = 1, runtime_request = 3;
-struct RuntimeRequest {
-  std::uint32_t struct_type, struct_version;
-  std::size_t struct_size;
-  std::uint32_t interface_version;
-  XrVersion api_version;
-  PFN_xrGetInstanceProcAddr get_function;
-};
 
 constexpr int tries_away = 2;
 

@@ -5,12 +5,18 @@
 
 #define XR_USE_GRAPHICS_API_VULKAN
 #define XR_USE_TIMESPEC
+#include "runtime_parts.h"
+
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 
 #include <string_view>
 
 namespace fake_runtime {
+
+using runtime_parts::find;
+using runtime_parts::give;
+using runtime_parts::named;
 
 /// XrTime is not CLOCK_MONOTONIC.
 constexpr XrTime clock_zero = 1'000'000'000'000;
@@ -47,32 +53,5 @@ bool can_show(const XrSwapchainSubImage& part);
 PFN_xrVoidFunction session_function(std::string_view name);
 PFN_xrVoidFunction graphics_function(std::string_view name);
 PFN_xrVoidFunction action_function(std::string_view name);
-
-struct Function {
-  std::string_view name;
-  PFN_xrVoidFunction address;
-};
-
-template <typename F>
-Function named(std::string_view name, F* function) {
-  return {name, reinterpret_cast<PFN_xrVoidFunction>(function)};
-}
-
-template <typename Functions>
-PFN_xrVoidFunction find(const Functions& functions, std::string_view name) {
-  for (const Function& f : functions)
-    if (f.name == name) return f.address;
-  return nullptr;
-}
-
-/// OpenXR's way to give a list: its length first.
-template <typename List, typename Item>
-XrResult give(const List& list, std::uint32_t capacity, std::uint32_t* count, Item* items) {
-  *count = static_cast<std::uint32_t>(list.size());
-  if (capacity == 0) return XR_SUCCESS;
-  if (capacity < list.size()) return XR_ERROR_SIZE_INSUFFICIENT;
-  for (const auto& item : list) *items++ = item;
-  return XR_SUCCESS;
-}
 
 }  // namespace fake_runtime
