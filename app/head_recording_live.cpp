@@ -1,5 +1,4 @@
 #include "app/graphics.h"
-#include "app/head_camera.h"
 #include "app/head_recording.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -97,9 +96,8 @@ HeadRecording record_live(const CalibrateOptions& options) {
   Gpu gpu(wanted);
   display->attach(gpu);
   Prompter prompter(gpu);
-  HeadCamera head(*camera, mount);
   Tracker tracker(catalog);
-  TrackingThread tracking(head, tracker, TrackingThread::Pacing::newest);
+  TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::newest);
   catch_interrupt();
   record(*display, tracking, prompter, options, recording);
   display->finish();

@@ -9,7 +9,8 @@
 
 namespace onestroke {
 
-/// Opens the camera that the command line asks for; `mount` is whose head a synthetic one sees from. Throws Error, or
+/// Opens the camera that the command line asks for, or both as one. `mount` is on whose head the first one sits: a
+/// device's pictures then say where in the world they were taken, and a synthetic one sees from there. Throws Error, or
 /// UsageError where its words are wrong.
 std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog& catalog, const HeadMount& mount = {});
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "camera/lens_source.h"
+#include "camera/synthetic_camera.h"
 #include "core/camera.h"
 #include "core/head_tracker.h"
 #include "marker/catalog.h"
@@ -20,6 +22,8 @@ struct CameraOptions {
   Duration readout;                   ///< First row to last row, top first; 0 for a global shutter.
   const Catalog* catalog = nullptr;   ///< The markers that the synthetic camera shows; read while opening only.
   HeadMount mount{};                  ///< Whose head the synthetic camera sees from; outlives the camera.
+  std::optional<LensSource> lens{};   ///< What is known of the lens already; in place of fov_rad and calibration.
+  SyntheticRig rig{};                 ///< Where the synthetic camera sits among others.
 };
 
 /// Opens a camera. Folders and videos need a field of view or a calibration; the synthetic camera brings its own.
