@@ -14,7 +14,7 @@
 namespace onestroke::accuracy {
 namespace {
 
-constexpr int width = 1280, height = 960, orientations = 60;
+constexpr int width = 960, height = 720;
 constexpr double degree = std::numbers::pi / 180;
 const Pose T_left_right{exp_so3({0.01, -0.03, 0.005}), {64, 1, -2}};
 // Middle of an angle with arms of 72 mm, marker frame; the first arm lies along -y.
@@ -60,7 +60,7 @@ class Eye {
   explicit Eye(const Room& room) {
     frame_.width = width;
     frame_.height = height;
-    frame_.intrinsics = Intrinsics::from_fov(width, height, 60 * degree);
+    frame_.intrinsics = Intrinsics::from_fov(width, height, 50 * degree);
     frame_.effects.noise = 2;
     frame_.effects.blur = 0.5;
     frame_.room = &room;
@@ -106,7 +106,7 @@ double nees_of(const MarkerObservation& o, const Pose& truth) {
 
 }  // namespace
 
-void draw_pairs(StereoScene scene, const VisitPair& visit) {
+void draw_pairs(StereoScene scene, int orientations, const VisitPair& visit) {
   const Catalog catalog = synthetic_catalog();
   const Room room(900, 7, {.half_turn = 0.7, .half_height = 0.6});
   Eye left(room), right(room);
@@ -141,12 +141,12 @@ void StereoScore::add(const FrameRecord& record, int id, const Pose& truth) {
   }
 }
 
-StereoScores measure_pairs(StereoScene scene) {
+StereoScores measure_pairs(StereoScene scene, int orientations) {
   const Catalog catalog = synthetic_catalog();
   Tracker tracker(catalog, {.independent = true});
   const auto left = std::make_unique<FrameRecord>(), right = std::make_unique<FrameRecord>();
   StereoScores scores;
-  draw_pairs(scene, [&](const Picture& pair, int id, const Pose& truth) {
+  draw_pairs(scene, orientations, [&](const Picture& pair, int id, const Pose& truth) {
     tracker.process(pair, *left);
     tracker.process(*pair.second, *right);
     scores.left.add(*left, id, truth);

@@ -10,7 +10,7 @@
 
 namespace onestroke::accuracy {
 
-/// What two eyes' cameras see of one stick at 60 orientations, 300 to 600 mm away, before a room.
+/// What two eyes' cameras see of one stick at many orientations, 300 to 600 mm away, before a room.
 enum class StereoScene {
   any_orientation,
   pointing,  ///< One arm points at the left camera, which then sees little but its tip.
@@ -20,9 +20,9 @@ enum class StereoScene {
 /// A pair of pictures, the first with its second, and the truth in the first camera's frame; borrowed during the call.
 using VisitPair = std::function<void(const Picture& pair, int id, const Pose& T_camera_marker)>;
 
-/// 1280 x 960 at 60 degrees, 64 mm apart and turned a little to each other, with mild noise and blur. The same pictures
+/// 960 x 720 at 50 degrees, 64 mm apart and turned a little to each other, with mild noise and blur. The same pictures
 /// every time.
-void draw_pairs(StereoScene scene, const VisitPair& visit);
+void draw_pairs(StereoScene scene, int orientations, const VisitPair& visit);
 
 /// How well one pose after another was told.
 struct StereoScore {
@@ -38,6 +38,6 @@ struct StereoScore {
 struct StereoScores {
   StereoScore left, right, both;
 };
-StereoScores measure_pairs(StereoScene scene);
+StereoScores measure_pairs(StereoScene scene, int orientations = 60);
 
 }  // namespace onestroke::accuracy

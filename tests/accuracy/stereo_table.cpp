@@ -4,6 +4,7 @@
 #include "stereo_set.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace onestroke::accuracy {
 namespace {
@@ -13,6 +14,7 @@ void print(const char* scene, const char* who, const StereoScore& s) {
               s.pictures, s.wrong, quantile(s.rotation_deg, 0.5), quantile(s.rotation_deg, 0.95),
               quantile(s.rotation_deg, 1), quantile(s.position_mm, 0.5), quantile(s.position_mm, 0.95),
               quantile(s.position_mm, 1), quantile(s.nees, 0.5));
+  std::fflush(stdout);
 }
 
 void print(const char* scene, const StereoScores& scores) {
@@ -24,12 +26,14 @@ void print(const char* scene, const StereoScores& scores) {
 }  // namespace
 }  // namespace onestroke::accuracy
 
-int main() {
+// stereo_table [ORIENTATIONS]
+int main(int count, char** words) {
   using namespace onestroke::accuracy;
+  const int orientations = count > 1 ? std::atoi(words[1]) : 60;
   std::puts(
       "| scene | camera | measured | false | rotation error, degrees (median / 95 % / max) | error of the middle, mm "
       "(median / 95 % / max) | NEES (median) |\n|---|---|---|---|---|---|---|");
-  print("any orientation", measure_pairs(StereoScene::any_orientation));
-  print("an arm points at the left camera", measure_pairs(StereoScene::pointing));
-  print("a finger covers an arm for the left camera", measure_pairs(StereoScene::covered));
+  print("any orientation", measure_pairs(StereoScene::any_orientation, orientations));
+  print("an arm points at the left camera", measure_pairs(StereoScene::pointing, orientations));
+  print("a finger covers an arm for the left camera", measure_pairs(StereoScene::covered, orientations));
 }
