@@ -137,8 +137,8 @@ void add_run(CLI::App& program, RunOptions& options) {
   run.add_option("--head-camera", options.head_camera, help::head_camera)->type_name("FILE")->check(not_empty());
   run.add_option("--log", options.log, help::log)->type_name("FILE|none")->check(not_empty());
   auto* replay = run.add_option("--replay", options.replay, help::replay)->type_name("FILE")->check(not_empty());
-  for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--side-by-side", "--rig", "--baseline-mm",
-                            "--world", "--stereo", "--no-fingers", "--left-handed", "--catalog", "--mode", "--log"})
+  for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--world", "--stereo", "--no-fingers",
+                            "--left-handed", "--catalog", "--mode", "--log"})
     replay->excludes(run.get_option(fixed));
 }
 
@@ -300,7 +300,11 @@ void check_source(Program& program, RunOptions& options) {
   if (options.replay.empty()) {
     check_pair(program, options.source);
     check_lens_known(program, options.source);
-  } else if (program.app.get_subcommand("run")->count("--camera") == 0) {
+    return;
+  }
+  if (options.source.side_by_side || !options.source.rig.empty() || options.source.baseline_mm)
+    refuse(program, "the log knows how its two cameras sat: leave --side-by-side, --rig and --baseline-mm out");
+  if (program.app.get_subcommand("run")->count("--camera") == 0) {
     if (options.source.pair())
       refuse(program, "--second-camera names the second one of other cameras: give --camera with it");
     options.source.camera.clear();

@@ -11,7 +11,11 @@ namespace onestroke {
 namespace {
 
 // Chi squared with 6 degrees of freedom is larger once in a thousand times.
-constexpr double most_disagreement = 22.46;
+constexpr double expected_disagreement = 22.46;
+// A tracker errs by several times what its covariance tells where an arm points at its camera, and not by more than
+// this where it has the right idea of the marker at all.
+constexpr double most_disagreement = 1000;
+constexpr double degrees_of_freedom = 6;
 // What a velocity may be off by: a share of itself, as it lags behind, and what it is never surer than.
 constexpr double velocity_share = 0.2, least_angular = 0.05, least_linear = 10;  // rad/s, mm/s
 
@@ -81,6 +85,15 @@ void set(const PoseMeasurement& pose, const Velocity& velocity, MarkerObservatio
   o.velocity = velocity;
 }
 
+/// No farther from either than they are from each other, or not by much.
+bool is_between(const Pose& p, const Pose& a, const Pose& b) {
+  constexpr double times = 2, least_turn = 1e-3, least_shift = 0.1;  // rad, mm
+  const auto turn = [](const Pose& from, const Pose& to) { return angle_between(from.rotation, to.rotation); };
+  const auto shift = [](const Pose& from, const Pose& to) { return norm(from.translation - to.translation); };
+  return std::max(turn(p, a), turn(p, b)) < times * turn(a, b) + least_turn &&
+         std::max(shift(p, a), shift(p, b)) < times * shift(a, b) + least_shift;
+}
+
 void fuse(const MarkerObservation& second, const Passage& passage, MarkerObservation& o) {
   if (second.state == MarkerState::measured) o.second_cells = cells_of(second);
   if (o.state < second.state) return;
@@ -90,11 +103,15 @@ void fuse(const MarkerObservation& second, const Passage& passage, MarkerObserva
   if (second.state < o.state) {
     o.state = second.state;
     set(other, velocity, o);
-  } else if (o.state == MarkerState::measured && disagreement(own, other) < most_disagreement) {
-    set(fused(own, other), mean(o.velocity, own, velocity, other), o);
-  } else if (vagueness(other) < vagueness(own)) {
-    set(other, velocity, o);
+    return;
   }
+  const double apart = o.state == MarkerState::measured ? disagreement(own, other) : most_disagreement;
+  if (apart < most_disagreement) {
+    PoseMeasurement both = fused(own, other);
+    if (apart > expected_disagreement) both.covariance *= apart / degrees_of_freedom;
+    if (is_between(both.pose, own.pose, other.pose)) return set(both, mean(o.velocity, own, velocity, other), o);
+  }
+  if (vagueness(other) < vagueness(own)) set(other, velocity, o);
 }
 
 void add(const MarkerObservation& second, const Passage& passage, FrameRecord& record) {

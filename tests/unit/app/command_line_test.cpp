@@ -100,12 +100,12 @@ TEST(CommandLine, HalfAPairIsRefused) {
            {"run --side-by-side --baseline-mm 64", "give --second-camera synthetic in place of --side-by-side"},
            {"run --camera file:a --second-camera file:b --baseline-mm 64", "the lens of file:a is unknown"},
            {"run --second-camera file:b --baseline-mm 64", "the lens of file:b is unknown"},
-           {"run --second-camera synthetic --side-by-side --baseline-mm 64", "excludes --second-camera"},
-           {"run --second-camera synthetic --rig a.yml --baseline-mm 64", "excludes --rig"},
+           {"run --second-camera synthetic --side-by-side --baseline-mm 64", "--second-camera excludes --side-by-side"},
+           {"run --second-camera synthetic --rig a.yml --baseline-mm 64", "--rig excludes --baseline-mm"},
            {"run --second-camera synthetic --baseline-mm 2", "from 5 to 1000 millimetres"},
            {"run --second-camera webcam --baseline-mm 64", "must be synthetic[:KEY=VALUE,...], file:VIDEO"},
            {"run --replay a.jsonl --second-camera file:b", "give --camera with it"},
-           {"run --replay a.jsonl --baseline-mm 64", "--baseline-mm excludes --replay"}})
+           {"run --replay a.jsonl --baseline-mm 64", "the log knows how its two cameras sat"}})
     EXPECT_THAT(refusal(line), AllOf(HasSubstr(what), HasSubstr("--help"))) << line;
 }
 

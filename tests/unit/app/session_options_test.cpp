@@ -58,7 +58,9 @@ TEST(SessionOptions, AReplayIsAsTheLogSays) {
 
 TEST(SessionOptions, AReplayHasBothCamerasOfThePair) {
   RunOptions live;
-  live.source = {.camera = "file:l.mp4", .second_camera = "synthetic:live=1", .rig = "stereo.yml"};
+  live.source.camera = "file:l.mp4";
+  live.source.second_camera = "synthetic:live=1";
+  live.source.rig = "stereo.yml";
   const SessionHeader header = session_header(live, 30, std::nullopt);
   EXPECT_EQ(header.rig, (fs::current_path() / "stereo.yml").string());
   RunOptions given;

@@ -72,6 +72,19 @@ TEST_F(StereoFusion, TakesWhatBothSeeTogether) {
   EXPECT_EQ(first->sequence, 7u);
 }
 
+TEST_F(StereoFusion, IsAsUnsureAsTheyDiffer) {
+  Pose off = there;
+  off.rotation = exp_so3({0, 0, 0.03}) * there.rotation;
+  add(*first, seen(3, there));
+  add(*second, seen(3, in_second(off)));
+  fuse_second(*second, *first);
+  EXPECT_NEAR(angle_between(only().T_camera_marker.rotation, there.rotation), 0.015, 1e-6);
+  EXPECT_NEAR(angle_between(only().T_camera_marker.rotation, off.rotation), 0.015, 1e-6);
+  // Six independent errors squared in sigmas of the difference, all in one.
+  const double squared = 0.03 * 0.03 / (2 * 0.002 * 0.002);
+  EXPECT_NEAR(only().covariance[14], 0.002 * 0.002 / 2 * squared / 6, 1e-8);
+}
+
 TEST_F(StereoFusion, BelievesTheSurerWhereTheyDisagree) {
   Pose flipped = there;
   flipped.rotation = exp_so3({0, 0, 0.3}) * there.rotation;
@@ -83,6 +96,24 @@ TEST_F(StereoFusion, BelievesTheSurerWhereTheyDisagree) {
     expect_pose(only().T_camera_marker, second_is_surer ? flipped : there);
     EXPECT_NEAR(only().covariance[0], 0.002 * 0.002, 1e-12) << "that of the pose that counts";
   }
+}
+
+// Each knows nothing of a turn about an arm, and not quite the same arm.
+TEST_F(StereoFusion, IsNotSwungByWhatNeitherTells) {
+  const auto seen_by_one_arm = [](const Pose& pose, Vec3 arm) {
+    MarkerObservation o = seen(3, pose);
+    const std::array<double, 3> a{arm.x, arm.y, arm.z};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) o.covariance[6 * i + j] += a[i] * a[j];
+    return o;
+  };
+  const Vec3 arm{1, 0, 0}, other_arm = normalized(Vec3{1, 0.01, 0});
+  Pose off = there;
+  off.rotation = exp_so3({0, 0.004, 0}) * there.rotation;
+  add(*first, seen_by_one_arm(there, arm));
+  add(*second, seen_by_one_arm(in_second(off), rotate(T_first_second.rotation.conjugate(), other_arm)));
+  fuse_second(*second, *first);
+  EXPECT_LT(angle_between(only().T_camera_marker.rotation, there.rotation), 0.005);
 }
 
 TEST_F(StereoFusion, ReportsWhatOneAloneSees) {
