@@ -120,7 +120,8 @@ inline constexpr const char* overlay = "Also write every picture to this folder 
 inline constexpr const char* independent =
     "Treat each picture alone, with no memory of the one before: for sets of unrelated pictures";
 inline constexpr const char* threads =
-    "Threads, 1 to 256, each with pictures of its own; more than 1 needs --independent";
+    "Threads, 1 to 256, each with pictures of its own, two threads where there are two cameras; more than 1 needs "
+    "--independent";
 inline constexpr const char* track_examples = R"(Examples:
   onestroke track --camera folder:booth --fov 35 --catalog markers.db --independent --output booth.jsonl
   onestroke track --camera file:turntable.mkv --fov 35 --readout-ms 50 --catalog markers.json --overlay drawn
