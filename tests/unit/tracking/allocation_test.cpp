@@ -70,7 +70,9 @@ TEST(StereoTrackerAllocation, FollowingAllocatesNothingOnceWarm) {
     Picture first = second;
     first.second = &second;
     tracker.process(first, *record);
-    if (i >= 2 * round_of) EXPECT_EQ(record->marker_count, 2);
+    if (i >= 2 * round_of) {
+      EXPECT_EQ(record->marker_count, 2);
+    }
   }
   EXPECT_EQ(allocations_of_all_threads(), before);
 }
