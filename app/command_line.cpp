@@ -1,8 +1,10 @@
 #include "app/command_line.h"
 
+#include "app/argument_checks.h"
 #include "app/completion.h"
 #include "app/help_format.h"
 #include "app/help_text.h"
+#include "app/live_arguments.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -14,55 +16,9 @@ namespace {
 
 constexpr double longest_readout_ms = 1000;
 
-/// A check whose failure is a message; it adds nothing to the option's name in the help.
-CLI::Validator check(std::function<std::string(const std::string&)> test) {
-  return CLI::Validator([test = std::move(test)](std::string& text) { return test(text); }, "");
-}
-
-CLI::Validator number_between(double low, double high, const std::string& unit) {
-  return check([=](const std::string& text) -> std::string {
-    double value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-    std::ostringstream message;
-    message << "\"" << text << "\" must be a number from " << low << " to " << high << unit;
-    return message.str();
-  });
-}
-
-CLI::Validator whole_number(int low, int high) {
-  return check([=](const std::string& text) -> std::string {
-    int value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-    return "\"" + text + "\" must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-  });
-}
-
-CLI::Validator not_empty() {
-  return check([](const std::string& text) { return text.empty() ? "it must not be empty" : std::string(); });
-}
-
-/// `word`, or `word:` and more: needs[i] says whether more must, may or may not follow.
-enum class More { none, may, must };
-struct Form {
-  std::string word;
-  More more;
-};
-
-CLI::Validator one_of(std::vector<Form> forms, const std::string& spelled) {
-  return check([forms = std::move(forms), spelled](const std::string& text) -> std::string {
-    const std::size_t colon = text.find(':');
-    const bool more = colon != std::string::npos && colon + 1 < text.size();
-    for (const Form& form : forms) {
-      if (text.substr(0, colon) != form.word) continue;
-      if (more ? form.more != More::none : form.more != More::must && colon == std::string::npos) return {};
-    }
-    return "\"" + text + "\" must be " + spelled;
-  });
-}
-
 CLI::Validator camera_spec() {
-  return one_of({{"synthetic", More::may}, {"file", More::must}, {"folder", More::must}},
-                "synthetic[:KEY=VALUE,...], file:VIDEO or folder:DIR");
+  return one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
+                "synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR");
 }
 
 void add_camera(CLI::App& command, SourceOptions& options) {
@@ -76,6 +32,7 @@ void add_camera(CLI::App& command, SourceOptions& options) {
   command.add_option("--readout-ms", options.readout_ms, help::readout)
       ->type_name("MS")
       ->check(number_between(0, longest_readout_ms, " milliseconds"));
+  add_live_arguments(command, options.live);
 }
 
 void add_second_camera(CLI::App& command, SourceOptions& options) {
@@ -213,6 +170,25 @@ void add_calibrate(CLI::App& program, CalibrateOptions& options) {
     replay->excludes(head.get_option(pictures));
 }
 
+void add_calibrate_camera(CLI::App& calibrate, CalibrateOptions& options) {
+  CLI::App& camera = *calibrate.add_subcommand("camera", help::calibrate_camera);
+  camera.footer(help::calibrate_camera_examples);
+  camera.add_flag("--clock", help::calibrate_clock)->required();
+  add_camera(camera, options.source);
+  camera.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE");
+  camera.add_option("--display", options.display, help::calibrate_display)
+      ->type_name("SPEC")
+      ->check(one_of({{"openxr", More::none}}, "openxr"))
+      ->capture_default_str();
+  camera.add_option("--seconds", options.seconds, help::calibrate_seconds)
+      ->type_name("S")
+      ->check(number_between(1e-3, 1e6, " seconds"));
+  camera.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
+  auto* poses = camera.add_option("--head-poses", options.head_poses, help::head_poses);
+  poses->type_name("FILE.jsonl")->check(not_empty());
+  for (const char* live : {"--display", "--seconds", "--gpu"}) poses->excludes(camera.get_option(live));
+}
+
 void add_doctor(CLI::App& program, DoctorOptions& options) {
   CLI::App& doctor = *program.add_subcommand("doctor", help::doctor);
   doctor.add_flag("--json", options.json, help::doctor_json);
@@ -240,6 +216,7 @@ struct Program {
     add_track(app, track);
     add_marker(app, marker);
     add_calibrate(app, calibrate);
+    add_calibrate_camera(*app.get_subcommand("calibrate"), calibrate);
     add_doctor(app, doctor);
   }
 
@@ -270,13 +247,6 @@ void check_wait(const Program& program, const RunOptions& options) {
     refuse(program, "--wait is for a headset: give --display openxr with it, or leave it out");
 }
 
-void check_lens_known(const Program& program, const SourceOptions& options) {
-  if (options.fov_deg || !options.calibration.empty() || !options.rig.empty()) return;
-  for (const std::string& camera : {options.camera, options.second_camera})
-    if (!camera.empty() && !camera.starts_with("synthetic"))
-      refuse(program, "the lens of " + camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
-}
-
 void check_pair(const Program& program, const SourceOptions& options) {
   const bool placed = !options.rig.empty() || options.baseline_mm;
   if (placed && !options.pair())
@@ -290,38 +260,51 @@ void check_pair(const Program& program, const SourceOptions& options) {
            "--side-by-side");
 }
 
+/// The command that was given, as `head` of `calibrate head`.
+const CLI::App& innermost(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
+  return *at;
+}
+
+void check_source(const Program& program, const SourceOptions& options) {
+  const std::string misplaced = misplaced_live_argument(innermost(program.app), options.camera);
+  if (!misplaced.empty()) refuse(program, misplaced);
+  check_pair(program, options);
+  if (options.fov_deg || !options.calibration.empty() || !options.rig.empty()) return;
+  for (const std::string& camera : {options.camera, options.second_camera})
+    if (!camera.empty() && !camera.starts_with("synthetic"))
+      refuse(program, "the lens of " + camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
+}
+
 void check_worn(const Program& program, const RunOptions& options) {
   if (program.app.get_subcommand("run")->count("--world") == 0 || options.display == "openxr") return;
   refuse(program, "--world " + std::string(name_of(options.world)) + " is for a headset alone: add --display openxr");
 }
 
 /// The log of a session knows its own cameras.
-void check_source(Program& program, RunOptions& options) {
-  if (options.replay.empty()) {
-    check_pair(program, options.source);
-    check_lens_known(program, options.source);
-    return;
-  }
-  if (options.source.side_by_side || !options.source.rig.empty() || options.source.baseline_mm)
+void check_replayed_source(Program& program, SourceOptions& options) {
+  if (options.side_by_side || !options.rig.empty() || options.baseline_mm)
     refuse(program, "the log knows how its two cameras sat: leave --side-by-side, --rig and --baseline-mm out");
-  if (program.app.get_subcommand("run")->count("--camera") == 0) {
-    if (options.source.pair())
-      refuse(program, "--second-camera names the second one of other cameras: give --camera with it");
-    options.source.camera.clear();
-  }
+  if (program.app.get_subcommand("run")->count("--camera") > 0) return;
+  if (options.pair()) refuse(program, "--second-camera names the second one of other cameras: give --camera with it");
+  options.camera.clear();
 }
 
-const CalibrateOptions& checked_calibrate(const Program& program) {
+CalibrateOptions checked_calibrate(const Program& program) {
   const CLI::App& calibrate = *program.app.get_subcommand("calibrate");
-  if (calibrate.get_subcommands().empty()) refuse(program, "what to calibrate is missing: head");
-  const CLI::App& head = *calibrate.get_subcommand("head");
-  const CalibrateOptions& options = program.calibrate;
+  if (calibrate.get_subcommands().empty()) refuse(program, "what to calibrate is missing: head or camera");
+  const CLI::App& what = innermost(calibrate);
+  CalibrateOptions options = program.calibrate;
   if (!options.replay.empty()) return options;
-  if (head.count("--camera") == 0) refuse(program, "the headset's camera is missing: give --camera SPEC");
+  if (what.count("--camera") == 0) refuse(program, "the headset's camera is missing: give --camera SPEC");
   if (options.catalog.empty()) refuse(program, "the markers are missing: give --catalog FILE");
   if (!options.headset.empty() && options.head_poses.empty())
     refuse(program, "--headset is for recordings, since a headset says its name: leave it out");
-  check_lens_known(program, options.source);
+  check_source(program, options.source);
+  if (what.get_name() == "head") return options;
+  options.what = CalibrateOptions::What::clock;
+  options.recorded = options.source.camera.starts_with("folder");
   return options;
 }
 
@@ -346,8 +329,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
     return program.marker;
   }
   if (program.app.got_subcommand("track")) {
-    check_pair(program, program.track.source);
-    check_lens_known(program, program.track.source);
+    check_source(program, program.track.source);
     check_threads(program, program.track);
     return program.track;
   }
@@ -359,7 +341,10 @@ Command parse_command_line(std::vector<std::string> arguments) {
     refuse(program, "--head-camera is for new sessions, since a log knows it: leave it out");
   check_worn(program, program.run);
   check_wait(program, program.run);
-  check_source(program, program.run);
+  if (program.run.replay.empty())
+    check_source(program, program.run.source);
+  else
+    check_replayed_source(program, program.run.source);
   return program.run;
 }
 

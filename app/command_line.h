@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/live_options.h"
 #include "render/world.h"
 
 #include <filesystem>
@@ -12,10 +13,11 @@ namespace onestroke {
 
 /// Where pictures come from and what is known of the lens; the camera factory reads `camera` further.
 struct SourceOptions {
-  std::string camera = "synthetic";     ///< synthetic[:KEY=VALUE,...], file:VIDEO or folder:DIR
+  std::string camera = "synthetic";     ///< synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR
   std::optional<double> fov_deg;        ///< Horizontal, degrees; never together with a calibration.
   std::filesystem::path calibration;    ///< OpenCV YAML; empty for none.
   std::optional<double> readout_ms;     ///< First row to last; unset where the camera says it or has a global shutter.
+  LiveOptions live;                     ///< For `libcamera` alone.
   std::string second_camera{};          ///< The right eye's, as `camera`; empty for none.
   bool side_by_side = false;            ///< `camera` shows both eyes' pictures beside each other.
   std::filesystem::path rig{};          ///< How two cameras sit: OpenCV's stereo calibration, or
@@ -73,13 +75,17 @@ struct MarkerOptions {
   bool replace = false;             ///< import: new entries take the place of old ones with the same id.
 };
 
-/// `calibrate head`: live, from pictures with poses of the head, or from a session's log.
+/// `calibrate head` and `calibrate camera --clock`: live, from pictures with poses of the head, or from a session's
+/// log.
 struct CalibrateOptions {
+  enum class What { head, clock };
+  What what = What::head;
   SourceOptions source;
   std::string display = "openxr";
   std::filesystem::path catalog;
   std::filesystem::path output;
   std::filesystem::path head_poses, replay;  ///< One of them, or neither for a calibration that is live.
+  bool recorded = false;                     ///< The camera is a recording that says where the head was.
   std::string headset;                       ///< Its name, for a recording that does not have it.
   std::string gpu;
   std::optional<double> seconds;  ///< Stop after so long; otherwise when there is enough.

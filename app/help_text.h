@@ -21,7 +21,8 @@ Completion: eval "$(onestroke --completion bash)")~";
 inline constexpr const char* completion = "Print a script that completes commands and options in this shell";
 
 inline constexpr const char* camera =
-    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), file:VIDEO, folder:DIR";
+    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), libcamera[:NAME] (one that is connected, by its "
+    "id, its model or a part of either), file:VIDEO, folder:DIR";
 inline constexpr const char* fov =
     "Horizontal field of view in degrees, 1 to 170: an ideal lens with square pixels, centred. Needed where there is "
     "no "
@@ -46,6 +47,19 @@ inline constexpr const char* rig =
 inline constexpr const char* baseline =
     "Two cameras that look the same way, the second one MM millimetres to the right of the first, 5 to 1000; --fov or "
     "--calibration is both lenses'";
+inline constexpr const char* size =
+    "Size of a connected camera's pictures. Default: the one that it has nearest to 1280x720";
+inline constexpr const char* format =
+    "Format of a connected camera: nv12, yuyv, mjpeg or rgb. Default: the one that is the least work, or mjpeg where "
+    "more would not pass through USB 2";
+inline constexpr const char* rate = "Pictures a second of a connected camera, where it lets that be set";
+inline constexpr const char* exposure =
+    "Fixed exposure of a connected camera, in milliseconds: short against blur. Default: its own automatic";
+inline constexpr const char* gain = "Fixed gain of a connected camera's sensor; 1 is none";
+inline constexpr const char* white_balance = "Fixed white balance of a connected camera, in kelvin";
+inline constexpr const char* clock_offset =
+    "How many milliseconds later than the driver's time of a picture its light was gathered, negative for earlier, as "
+    "`onestroke calibrate camera --clock` measures it. Default: 0";
 inline constexpr const char* frames = "Stop after N pictures. Default: at the end of the recording, or never";
 inline constexpr const char* catalog =
     "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON";
@@ -184,6 +198,18 @@ and down, towards either shoulder, also from other places. Each line of --head-p
   {"time_ns": 123456789, "T_world_head": [w, x, y, z, x, y, z]}
 or has the "image" that it belongs to in place of "time_ns": a unit quaternion and millimetres, from the head's axes
 (x right, y down, z forward, as the eyes look) to any that stand still.)";
+
+inline constexpr const char* calibrate_camera = "What is not known of a camera";
+inline constexpr const char* calibrate_clock =
+    "How much later than its time says a picture was exposed, from a marker that lies still and a head that turns to "
+    "and "
+    "fro";
+inline constexpr const char* calibrate_camera_examples = R"(Examples:
+  onestroke calibrate camera --clock --camera libcamera --exposure-ms 4 --fov 90 --catalog markers.db
+  onestroke calibrate camera --clock --camera folder:recording --catalog markers.db
+
+Lay a marker down in good light, put the headset on, and with the marker in sight turn your head to and fro, about once a
+second, for ten seconds. A folder that `onestroke run --record` made says itself where the head was.)";
 
 inline constexpr const char* doctor = "Say what there is of headset, GPU, displays and cameras, and what each lacks";
 inline constexpr const char* doctor_json = "As JSON, for programs";

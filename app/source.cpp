@@ -1,6 +1,7 @@
 #include "app/source.h"
 
 #include "app/head_camera.h"
+#include "app/say.h"
 #include "camera/open_camera.h"
 #include "camera/rig_file.h"
 #include "camera/side_by_side_camera.h"
@@ -18,6 +19,8 @@ CameraOptions first_camera(const SourceOptions& options, const Catalog& catalog,
   if (options.readout_ms) camera.readout = Duration::from_ms(*options.readout_ms);
   camera.catalog = &catalog;
   camera.mount = mount;
+  camera.live = options.live;
+  camera.live.say = say;
   return camera;
 }
 

@@ -15,7 +15,7 @@ const float glow = 0.07, border_width = 0.006, glow_width = 0.1;
 
 void main() {
   vec2 uv = picture_at(position);
-  vec3 seen = picture_color(uv);
+  vec3 seen = picture_color(uv) * its_picture.shape.w;
   if (edge) {
     vec2 outside = max(abs(uv - 0.5) - 0.5, 0.0) * vec2(its_picture.shape.x, 1.0);
     float far = length(outside);

@@ -87,7 +87,7 @@ struct PictureData {
   vec4 surface_grid;    // cells across, cells down, where its depths begin, 0
   vec4 intrinsic;       // fx, fy, cx, cy over the picture's size
   vec4 lens_map;        // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
-  vec4 shape;           // width / height; texture coordinates of the finger matte over the picture's; 0
+  vec4 shape;           // width / height; texture coordinates of the finger matte over the picture's; brightness
 };
 
 // What all views of a frame share.

@@ -12,7 +12,8 @@ gpu::vec4 vec4_of(double x, double y, double z, double w) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
 }
 
-gpu::PictureData picture_data(const SeenPicture& seen, const DepthSurface& surface, std::size_t depths_at) {
+gpu::PictureData picture_data(const SeenPicture& seen, const DepthSurface& surface, std::size_t depths_at,
+                              float brightness) {
   const PictureStore& picture = seen.store;
   const SurfaceAxis &across = surface.across(), &down = surface.down();
   const Intrinsics& k = picture.intrinsics();
@@ -25,7 +26,7 @@ gpu::PictureData picture_data(const SeenPicture& seen, const DepthSurface& surfa
   data.surface_grid = vec4_of(across.cells, down.cells, static_cast<double>(depths_at), 0);
   data.intrinsic = vec4_of(k.fx / width, k.fy / height, k.cx / width, k.cy / height);
   data.lens_map = {lens[0], lens[1], lens[2], lens[3]};
-  data.shape = vec4_of(width / height, matte[0], matte[1], 0);
+  data.shape = {static_cast<float>(width / height), matte[0], matte[1], brightness};
   return data;
 }
 
@@ -51,7 +52,7 @@ gpu::SceneData scene_data(const FrameParts& parts) {
   gpu::SceneData data{};
   std::size_t depths_at = 0;
   for (std::size_t i = 0; i < parts.pictures.count(); ++i) {
-    data.pictures[i] = picture_data(parts.pictures.at(i), parts.surfaces[i], depths_at);
+    data.pictures[i] = picture_data(parts.pictures.at(i), parts.surfaces[i], depths_at, parts.scene.picture_brightness);
     depths_at += parts.surfaces[i].inverse_depths().size();
   }
   set_light(data, parts.light);

@@ -17,9 +17,6 @@ constexpr double usual_rate = 30;
 // After so long a caller may want to stop.
 constexpr Duration longest_wait = Duration::from_ms(50);
 
-constexpr std::string_view one_is_gone =
-    "one camera of the pair has ended and the other goes on alone: start again to have both";
-
 std::chrono::nanoseconds chrono(Duration d) {
   return std::chrono::nanoseconds(d.ns);
 }
@@ -201,9 +198,14 @@ std::string StereoCamera::message() const {
 }
 
 std::string_view StereoCamera::trouble() const {
-  for (const Eye& eye : eyes_)
-    if (const std::string_view words = eye.camera->trouble(); !words.empty()) return words;
-  return live_ && (eyes_[0].ended || eyes_[1].ended) ? one_is_gone : std::string_view();
+  std::string_view words;
+  for (const Eye& eye : eyes_) {
+    if (eye.ended) continue;
+    const std::string_view own = eye.camera->trouble();
+    if (own.empty()) return {};
+    if (words.empty()) words = own;
+  }
+  return words;
 }
 
 std::uint64_t StereoCamera::lost() const {

@@ -39,6 +39,7 @@ class StereoCamera final : public Camera {
   double rate() const override { return eyes_[0].camera->rate(); }
   std::size_t length() const override { return eyes_[0].camera->length(); }
   double period() const override { return eyes_[0].camera->period(); }
+  /// Of the first, where both are in trouble: one alone still gives pictures.
   std::string_view trouble() const override;
   std::uint64_t lost() const override;
   bool seek(Duration after_start) override;
