@@ -204,7 +204,7 @@ int run_live(RunOptions options, std::ostream& out) {
   Stage stage = prepare(options);
   options.source = source_for(options.source, stage.offscreen);
   const HeadMount mount = find_head(stage, options);
-  const std::unique_ptr<Camera> camera = open_source(options.source, stage.catalog, mount);
+  const std::unique_ptr<Camera> camera = open_worn_source(options.source, stage.catalog, mount);
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
   open(stage, options, rate);
   const ShowLimits limits = limits_for(options, *camera, stage.offscreen);

@@ -29,6 +29,8 @@ bool is_worn(const Camera& camera, const HeadMount& mount) {
   return mount.head && camera.live();
 }
 
+using Open = std::unique_ptr<Camera> (*)(const CameraOptions& options);
+
 std::unique_ptr<Camera> open_worn(const CameraOptions& options) {
   std::unique_ptr<Camera> camera = open_camera(options);
   if (!is_worn(*camera, options.mount)) return camera;
@@ -42,7 +44,7 @@ Rig rig_of(const SourceOptions& options) {
   return rig;
 }
 
-std::unique_ptr<Camera> open_two(const SourceOptions& options, CameraOptions first, const Rig& rig) {
+std::unique_ptr<Camera> open_two(const SourceOptions& options, CameraOptions first, const Rig& rig, Open open) {
   CameraOptions second = first;
   second.mount.T_head_camera = first.mount.T_head_camera * rig.T_first_second;
   if (rig.lenses) {
@@ -55,30 +57,37 @@ std::unique_ptr<Camera> open_two(const SourceOptions& options, CameraOptions fir
     second.rig.T_first_camera = rig.T_first_second;
   else
     second.spec = options.second_camera;
-  std::unique_ptr<Camera> left = open_worn(first), right = open_worn(second);
-  const bool say_where = is_worn(*left, first.mount);
+  std::unique_ptr<Camera> left = open(first), right = open(second);
+  const bool say_where = open == open_worn && is_worn(*left, first.mount);
   return std::make_unique<StereoCamera>(std::move(left), std::move(right),
                                         say_where ? std::nullopt : std::optional(rig.T_first_second));
 }
 
-std::unique_ptr<Camera> open_side_by_side(CameraOptions whole, const Rig& rig) {
+std::unique_ptr<Camera> open_side_by_side(CameraOptions whole, const Rig& rig, Open open) {
   const LensSource both(whole.calibration, whole.fov_rad);
   if (!rig.lenses && !both.known())
     throw Error("camera " + whole.spec + ": the lenses are not known; give --fov DEG or --calibration FILE.yaml");
   // Nobody looks through it: that of each half takes its place.
   constexpr double any_fov = 1;
   whole.lens = LensSource({}, any_fov);
-  return std::make_unique<SideBySideCamera>(open_worn(whole), rig.lenses.value_or(std::array{both, both}),
+  return std::make_unique<SideBySideCamera>(open(whole), rig.lenses.value_or(std::array{both, both}),
                                             rig.T_first_second);
+}
+
+std::unique_ptr<Camera> open_one_or_two(const SourceOptions& options, const CameraOptions& camera, Open open) {
+  if (!options.pair()) return open(camera);
+  const Rig rig = rig_of(options);
+  return options.side_by_side ? open_side_by_side(camera, rig, open) : open_two(options, camera, rig, open);
 }
 
 }  // namespace
 
 std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog& catalog, const HeadMount& mount) {
-  const CameraOptions camera = first_camera(options, catalog, mount);
-  if (!options.pair()) return open_worn(camera);
-  const Rig rig = rig_of(options);
-  return options.side_by_side ? open_side_by_side(camera, rig) : open_two(options, camera, rig);
+  return open_one_or_two(options, first_camera(options, catalog, mount), open_camera);
+}
+
+std::unique_ptr<Camera> open_worn_source(const SourceOptions& options, const Catalog& catalog, const HeadMount& mount) {
+  return open_one_or_two(options, first_camera(options, catalog, mount), open_worn);
 }
 
 }  // namespace onestroke

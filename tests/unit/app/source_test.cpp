@@ -33,7 +33,7 @@ class SourceOfTwo : public testing::Test {
   }
 
   PictureHandle first_picture(const HeadMount& mount = {}) {
-    camera = open_source(options, catalog, mount);
+    camera = open_worn_source(options, catalog, mount);
     PictureHandle picture;
     while (camera->next(picture) == Camera::Status::busy) std::this_thread::yield();
     return picture;
