@@ -5,7 +5,8 @@
 namespace onestroke::usb {
 
 EventLog::EventLog(const std::filesystem::path& file) : out_(file) {
-  if (!out_) throw Error(file.string() + " cannot be written; check that its folder exists and that you may write there");
+  if (!out_)
+    throw Error(file.string() + " cannot be written; check that its folder exists and that you may write there");
 }
 
 void EventLog::add(const char* event, Time time, const nlohmann::json& more) {

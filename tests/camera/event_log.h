@@ -13,7 +13,8 @@ namespace onestroke::usb {
 ///
 ///   plug, unplug    the device comes and goes
 ///   stream          "on"; where it is: "format" (MJPG or YUYV), "width", "height", "interval_us"
-///   frame           "number" of the stream, from 0; "picture", its file; "bytes" sent of it; "cut". The time is that at which
+///   frame           "number" of the stream, from 0; "picture", its file; "bytes" sent of it; "cut". The time is that
+///   at which
 ///                   its first byte was sent
 ///   skip            "number" of one that was due before the one before it was taken
 ///   over            all pictures of the stream have been sent

@@ -9,11 +9,11 @@
 
 namespace onestroke::usb {
 
-/// The pictures of a mode as the payloads of UVC 1.0, chapter 2.4.3.3: pieces of a picture, each behind a header that tells
-/// which picture it is of, whether it is the last, when the picture began and what the camera's clock says now.
+/// The pictures of a mode as the payloads of UVC 1.0, chapter 2.4.3.3: pieces of a picture, each behind a header that
+/// tells which picture it is of, whether it is the last, when the picture began and what the camera's clock says now.
 ///
-/// Pictures fall due at their own pace. One that falls due while the one before is not yet taken is skipped, as a sensor
-/// does not wait.
+/// Pictures fall due at their own pace. One that falls due while the one before is not yet taken is skipped, as a
+/// sensor does not wait.
 class PayloadStream {
  public:
   /// mode: as long as this lives. The first picture is due one interval from now.

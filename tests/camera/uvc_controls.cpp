@@ -25,14 +25,15 @@ Bytes number(int value, u8 bytes) {
 
 std::array<UvcControls::Control, 8> UvcControls::all() {
   return {{
-      {camera_terminal, UVC_CT_AE_MODE_CONTROL, 1, "exposure_mode", manual, aperture_priority, manual | aperture_priority,
-       aperture_priority, aperture_priority},
+      {camera_terminal, UVC_CT_AE_MODE_CONTROL, 1, "exposure_mode", manual, aperture_priority,
+       manual | aperture_priority, aperture_priority, aperture_priority},
       {camera_terminal, UVC_CT_EXPOSURE_TIME_ABSOLUTE_CONTROL, 4, "exposure_100us", 1, 5000, 1, 157, 157},
       {processing_unit, UVC_PU_BRIGHTNESS_CONTROL, 2, "brightness", -64, 64, 1, 0, 0},
       {processing_unit, UVC_PU_CONTRAST_CONTROL, 2, "contrast", 0, 95, 1, 32, 32},
       {processing_unit, UVC_PU_SATURATION_CONTROL, 2, "saturation", 0, 100, 1, 55, 55},
       {processing_unit, UVC_PU_GAIN_CONTROL, 2, "gain", 0, 100, 1, 10, 10},
-      {processing_unit, UVC_PU_WHITE_BALANCE_TEMPERATURE_CONTROL, 2, "white_balance_kelvin", 2800, 6500, 10, 4600, 4600},
+      {processing_unit, UVC_PU_WHITE_BALANCE_TEMPERATURE_CONTROL, 2, "white_balance_kelvin", 2800, 6500, 10, 4600,
+       4600},
       {processing_unit, UVC_PU_WHITE_BALANCE_TEMPERATURE_AUTO_CONTROL, 1, "white_balance_auto", 0, 1, 1, 1, 1},
   }};
 }
@@ -64,8 +65,8 @@ bool UvcControls::set(Control& control, std::span<const u8> sent) {
 
 std::optional<Bytes> UvcControls::answer(u8 request, u8 unit, u8 selector, std::span<const u8> sent) {
   if (unit == 0 && selector == UVC_VC_REQUEST_ERROR_CODE_CONTROL && request == UVC_GET_CUR) return Bytes{error_};
-  const auto control = std::ranges::find_if(
-      controls_, [&](const Control& c) { return c.unit == unit && c.selector == selector; });
+  const auto control =
+      std::ranges::find_if(controls_, [&](const Control& c) { return c.unit == unit && c.selector == selector; });
   if (control == controls_.end()) {
     error_ = invalid_control;
     return std::nullopt;

@@ -53,8 +53,8 @@ void append_frame(Bytes& out, const VideoMode& mode, u8 index, u32 interval) {
 }
 
 void append_streaming_interface(Bytes& out, std::span<const VideoMode> modes, u32 interval) {
-  append_descriptor(out, u8{USB_DT_INTERFACE}, streaming_interface, u8{0}, u8{1}, video_class, u8{UVC_SC_VIDEOSTREAMING},
-                    u8{0}, u8{0});
+  append_descriptor(out, u8{USB_DT_INTERFACE}, streaming_interface, u8{0}, u8{1}, video_class,
+                    u8{UVC_SC_VIDEOSTREAMING}, u8{0}, u8{0});
   const std::vector<ModeIndex> indices = index_modes(modes);
   const u8 formats = indices.back().format;
   const std::size_t header = out.size();
@@ -79,10 +79,12 @@ void append_streaming_interface(Bytes& out, std::span<const VideoMode> modes, u3
 std::vector<ModeIndex> index_modes(std::span<const VideoMode> modes) {
   std::vector<ModeIndex> indices;
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (i == 0) indices.push_back({1, 1});
+    if (i == 0)
+      indices.push_back({1, 1});
     else if (modes[i].format == modes[i - 1].format)
       indices.push_back({indices.back().format, static_cast<u8>(indices.back().frame + 1)});
-    else indices.push_back({static_cast<u8>(indices.back().format + 1), 1});
+    else
+      indices.push_back({static_cast<u8>(indices.back().format + 1), 1});
   }
   return indices;
 }
@@ -93,14 +95,15 @@ u32 frame_interval(double rate) {
 
 Bytes device_descriptor() {
   Bytes out;
-  append_descriptor(out, u8{USB_DT_DEVICE}, u16{0x0200}, u8{USB_CLASS_MISC}, u8{2}, u8{1}, u8{64}, vendor_id, product_id,
-                    device_release, u8{1}, u8{2}, u8{3}, u8{1});
+  append_descriptor(out, u8{USB_DT_DEVICE}, u16{0x0200}, u8{USB_CLASS_MISC}, u8{2}, u8{1}, u8{64}, vendor_id,
+                    product_id, device_release, u8{1}, u8{2}, u8{3}, u8{1});
   return out;
 }
 
 Bytes qualifier_descriptor() {
   Bytes out;
-  append_descriptor(out, u8{USB_DT_DEVICE_QUALIFIER}, u16{0x0200}, u8{USB_CLASS_MISC}, u8{2}, u8{1}, u8{64}, u8{1}, u8{0});
+  append_descriptor(out, u8{USB_DT_DEVICE_QUALIFIER}, u16{0x0200}, u8{USB_CLASS_MISC}, u8{2}, u8{1}, u8{64}, u8{1},
+                    u8{0});
   return out;
 }
 

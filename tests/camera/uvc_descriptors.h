@@ -29,8 +29,8 @@ std::vector<ModeIndex> index_modes(std::span<const VideoMode> modes);
 Bytes device_descriptor();
 /// The qualifier of a device of high speed, chapter 9.6.2.
 Bytes qualifier_descriptor();
-/// All of the configuration: the interfaces of USB Video Class 1.0 with the modes at `rate` pictures a second, half and a
-/// sixth of it.
+/// All of the configuration: the interfaces of USB Video Class 1.0 with the modes at `rate` pictures a second, half and
+/// a sixth of it.
 Bytes configuration_descriptor(std::span<const VideoMode> modes, double rate);
 /// A string of the device by its number, none where it has no such string.
 std::optional<Bytes> string_descriptor(u8 number, const std::string& product, const std::string& serial);

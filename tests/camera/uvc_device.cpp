@@ -10,9 +10,12 @@ UvcDevice::UvcDevice(std::span<const VideoMode> modes, const CameraScript& scrip
 
 std::optional<Bytes> UvcDevice::answer(const ControlRequest& request, std::span<const u8> sent) {
   std::optional<Bytes> out;
-  if ((request.type & USB_TYPE_MASK) == USB_TYPE_STANDARD) out = standard_answer(request);
-  else if ((request.type & USB_TYPE_MASK) != USB_TYPE_CLASS) return std::nullopt;
-  else if ((request.index & 0xff) == streaming_interface) out = streaming_answer(request, sent);
+  if ((request.type & USB_TYPE_MASK) == USB_TYPE_STANDARD)
+    out = standard_answer(request);
+  else if ((request.type & USB_TYPE_MASK) != USB_TYPE_CLASS)
+    return std::nullopt;
+  else if ((request.index & 0xff) == streaming_interface)
+    out = streaming_answer(request, sent);
   else
     out = controls_.answer(request.request, static_cast<u8>(request.index >> 8), static_cast<u8>(request.value >> 8),
                            sent);

@@ -28,7 +28,8 @@ VideoMode read_video_mode(const std::string& text) {
   static const std::regex form("(MJPG|YUYV):(\\d{1,4})x(\\d{1,4}):(.+)");
   std::smatch part;
   if (!std::regex_match(text, part, form))
-    throw UsageError("--format " + text + " is not possible; give MJPG:WIDTHxHEIGHT:FOLDER or YUYV:WIDTHxHEIGHT:FOLDER");
+    throw UsageError("--format " + text +
+                     " is not possible; give MJPG:WIDTHxHEIGHT:FOLDER or YUYV:WIDTHxHEIGHT:FOLDER");
   VideoMode mode{part[1] == "MJPG" ? VideoFormat::mjpeg : VideoFormat::yuyv,
                  static_cast<std::uint16_t>(std::stoi(part[2])), static_cast<std::uint16_t>(std::stoi(part[3])),
                  read_folder(part[4].str())};
