@@ -2,8 +2,10 @@
 
 #include "core/picture.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace onestroke {
@@ -38,6 +40,14 @@ class Camera {
   virtual std::size_t length() const = 0;
   /// Seconds after which a camera without an end begins again; 0 where it does not.
   virtual double period() const { return 0; }
+  /// What keeps a live camera from giving pictures at this moment, with the remedy, one line; empty while all is well.
+  /// The words live as long as the program. Any thread.
+  virtual std::string_view trouble() const { return {}; }
+  /// How many pictures a device took that never came, by its own numbers, or came damaged. Any thread.
+  virtual std::uint64_t lost() const { return 0; }
+  /// A recording goes on with the first picture that is no earlier than this after its start. Any thread; heeded by the
+  /// next call of next(). False where the camera is no recording.
+  virtual bool seek(Duration) { return false; }
   /// The truth beside a picture, where it is known; valid as long as the picture is held.
   virtual std::span<const TrueMarker> truth(const Picture&) const { return {}; }
 };

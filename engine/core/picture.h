@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -51,6 +52,11 @@ struct Picture {
   Pose T_world_camera;
   /// Where the picture came from, for messages and records: a file name, or empty. Lives as long as the picture.
   const char* source = "";
+  /// The same picture as JPEG, where the camera sent it so; lives as long as the picture.
+  std::span<const std::uint8_t> jpeg{};
+  /// What the right eye's camera of a pair saw at about the same time; this is the left one's then. Lives as long as
+  /// this picture, and its T_world_camera says where the one camera is from the other.
+  const Picture* second = nullptr;
 };
 
 /// A borrowed picture. Copies share it (any thread); the last one to go gives the buffer back to its owner through

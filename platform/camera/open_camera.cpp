@@ -2,6 +2,8 @@
 
 #include "camera/folder_camera.h"
 #include "camera/lens_source.h"
+#include "camera/libcamera_source.h"
+#include "camera/live_camera.h"
 #include "camera/synthetic_camera.h"
 #include "camera/video_camera.h"
 #include "core/error.h"
@@ -42,10 +44,12 @@ std::unique_ptr<Camera> open_camera(const CameraOptions& options) {
     throw UsageError("a field of view lies between 0 and 180 degrees; give --fov DEG");
   }
   if (kind == "synthetic") return open_synthetic(rest, options);
+  if (kind == "libcamera")
+    return make_live_camera(make_libcamera_source(rest, options.live), lens_of(options), options.readout, options.live);
   if (kind == "folder" && !rest.empty()) return open_folder(rest, lens_of(options), options.readout);
   if (kind == "file" && !rest.empty()) return open_video(rest, lens_of(options), options.readout);
   throw UsageError("no camera is called \"" + options.spec +
-                   "\"; give synthetic[:key=value,...], folder:DIR or file:VIDEO");
+                   "\"; give synthetic[:key=value,...], libcamera[:NAME], folder:DIR or file:VIDEO");
 }
 
 }  // namespace onestroke
