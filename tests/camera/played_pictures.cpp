@@ -19,6 +19,10 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
+// The hands come into the picture first.
+constexpr int left_out = 30;
+constexpr int tenth = 10;
+
 void write(const std::filesystem::path& file, const Bytes& bytes) {
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -76,16 +80,20 @@ void draw(const std::filesystem::path& catalogue, const std::filesystem::path& f
   options.spec = "synthetic:width=640,height=480,fov_deg=50,fps=15,head=0";
   options.catalog = &catalog;
   const std::unique_ptr<Camera> camera = open_camera(options);
-  std::filesystem::create_directories(folder / "mjpeg");
-  std::filesystem::create_directories(folder / "yuyv");
+  for (const char* const format : {"mjpeg", "yuyv", "mjpeg_tenth", "yuyv_tenth"})
+    std::filesystem::create_directories(folder / format);
   std::ofstream truth(folder / "truth.jsonl");
-  for (int i = 0; i < count; ++i) {
+  for (int i = -left_out; i < count; ++i) {
     PictureHandle picture;
     if (camera->next(picture) != Camera::Status::ok) throw Error("the synthetic camera has no picture");
+    if (i < 0) continue;
     std::string name = std::to_string(i);
     name.insert(0, 4 - name.size(), '0');
-    write(folder / "mjpeg" / (name + ".jpg"), to_jpeg(*picture));
-    write(folder / "yuyv" / (name + ".yuyv"), to_yuyv(*picture));
+    for (const char* const which : {"", "_tenth"}) {
+      if (*which != '\0' && i % tenth != 0) continue;
+      write(folder / ("mjpeg" + std::string(which)) / (name + ".jpg"), to_jpeg(*picture));
+      write(folder / ("yuyv" + std::string(which)) / (name + ".yuyv"), to_yuyv(*picture));
+    }
     truth << nlohmann::json{{"picture", name}, {"markers", truth_of(*camera, *picture)}} << '\n';
   }
 }
