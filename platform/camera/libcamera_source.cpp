@@ -50,7 +50,10 @@ class LibcameraSource final : public CaptureSource {
   LibcameraSource(std::string name, const LiveOptions& options)
       : system_(LibcameraSystem::get()), wanted_(std::move(name)), options_(options) {}
 
-  std::string name() const override { return model_.empty() ? "libcamera:" + wanted_ : model_; }
+  std::string name() const override {
+    if (!model_.empty()) return model_;
+    return wanted_.empty() ? "libcamera" : wanted_;
+  }
 
   std::unique_ptr<CaptureStream> start(Waker& waker, Refused& refused) override {
     const Camera_ camera = find(refused);

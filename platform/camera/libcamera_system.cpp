@@ -36,8 +36,8 @@ std::shared_ptr<LibcameraSystem> LibcameraSystem::get() {
 }
 
 LibcameraSystem::LibcameraSystem() {
-  // Its own words for what is told in ours.
-  if (!std::getenv("LIBCAMERA_LOG_LEVELS")) libcamera::logSetLevel("*", "FATAL");
+  // What matters of it is told in our words.
+  if (!std::getenv("LIBCAMERA_LOG_LEVELS")) libcamera::logSetTarget(libcamera::LoggingTargetNone);
   if (const int failed = manager_.start(); failed != 0)
     throw Error("libcamera cannot be started: " + std::generic_category().message(-failed) +
                 "; LIBCAMERA_LOG_LEVELS=*:DEBUG makes it say more");

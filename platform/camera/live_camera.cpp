@@ -49,8 +49,10 @@ class LiveCamera final : public Camera {
   LiveCamera(std::unique_ptr<CaptureSource> source, const LensSource& lens, Duration readout,
              const LiveOptions& options)
       : source_(std::move(source)), lens_(lens), readout_(readout), options_(options) {
-    CaptureSource::Refused refused;
-    if (!start(refused) && refused.refusal != CaptureRefusal::busy) throw Error(refused.why);
+    const std::optional<CaptureSource::Refused> refused = start();
+    if (!refused) return;
+    if (refused->refusal != CaptureRefusal::busy) throw Error(refused->why);
+    trouble(words_busy, ": " + refused->why);
   }
 
   ~LiveCamera() override {
@@ -100,13 +102,12 @@ class LiveCamera final : public Camera {
     if (options_.say) options_.say("camera " + source_->name() + line);
   }
 
-  bool start(CaptureSource::Refused& refused) {
+  /// Why not, where it could not.
+  std::optional<CaptureSource::Refused> start() {
     tried_ = Time::now();
+    CaptureSource::Refused refused;
     std::unique_ptr<CaptureStream> stream = source_->start(waker_, refused);
-    if (!stream) {
-      trouble(words_of(refused.refusal), ": " + refused.why);
-      return false;
-    }
+    if (!stream) return refused;
     session_ = std::make_unique<LiveSession>(std::move(stream), waker_);
     const CaptureFormat& format = session_->format();
     intrinsics_ = lens_.intrinsics(format.size.width, format.size.height, "camera " + source_->name());
@@ -116,7 +117,7 @@ class LiveCamera final : public Camera {
     waiting_count_ = 0;
     damaged_ = 0;
     heard_ = Time::now();
-    return true;
+    return std::nullopt;
   }
 
   bool start_again() {
@@ -125,8 +126,9 @@ class LiveCamera final : public Camera {
       waker_.sleep(std::min(longest_wait, try_again - since));
       return false;
     }
-    CaptureSource::Refused refused;
-    return start(refused);
+    const std::optional<CaptureSource::Refused> refused = start();
+    if (refused) trouble(words_of(refused->refusal), ": " + refused->why);
+    return !refused;
   }
 
   /// Says what happened once, and shows it until pictures come again.
