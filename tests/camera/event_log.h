@@ -16,7 +16,7 @@ namespace onestroke::usb {
 ///   frame           "number" of the stream, from 0; "picture", its file; "bytes" sent of it; "cut". The time is that
 ///   at which
 ///                   its first byte was sent
-///   skip            "number" of one that was due before the one before it was taken
+///   late            "number" of the frame to come, which the host took an interval too late or more; "by_ns"
 ///   over            all pictures of the stream have been sent
 ///   hang, resume    it falls silent, and goes on
 ///   control         "name" and "value" of a control that was set

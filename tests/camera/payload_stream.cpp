@@ -35,12 +35,7 @@ void PayloadStream::resume() {
   due_ = Time::now() + interval_;
 }
 
-void PayloadStream::skip_missed(Time now) {
-  for (; now >= due_ + interval_; due_ = due_ + interval_) log_.add("skip", {{"number", number_++}});
-}
-
 void PayloadStream::begin(Time now) {
-  skip_missed(now);
   if (!script_.loop && number_ >= mode_.pictures.size()) {
     over_ = true;
     log_.add("over");
@@ -48,6 +43,10 @@ void PayloadStream::begin(Time now) {
   }
   const PlayedPicture& picture = mode_.pictures[number_ % mode_.pictures.size()];
   const bool cut = script_.cut_every && (number_ + 1) % *script_.cut_every == 0;
+  if (now >= due_ + interval_) {
+    log_.add("late", {{"number", number_}, {"by_ns", (now - due_).ns}});
+    due_ = now;
+  }
   size_ = cut ? picture.bytes.size() / 2 : picture.bytes.size();
   at_ = 0;
   sending_ = true;

@@ -33,7 +33,6 @@ class PayloadStream {
 
  private:
   void begin(Time now);
-  void skip_missed(Time now);
 
   const VideoMode& mode_;
   const Duration interval_;

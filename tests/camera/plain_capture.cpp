@@ -1,7 +1,8 @@
 // plain_capture FORMAT COUNT [SECONDS]: takes pictures of 640 x 480 by libcamera and nothing of ours, so that the guest
-// and the played camera can be tried by themselves. FORMAT is MJPEG or YUYV. Writes to pictures.jsonl in the folder of
-// CAMERA_RESULTS a line for each: "sequence", "time_ns", "bytes" and "fingerprint"; and to clock.jsonl how far the
-// machine's clock is ahead before and after. Then holds the camera for so many seconds.
+// and the played camera can be tried by themselves. FORMAT is MJPEG or YUYV. Says so when it has the camera. Writes to
+// pictures.jsonl in the folder of CAMERA_RESULTS a line for each picture: "sequence", "time_ns", "good", "bytes" and
+// "fingerprint"; and to clock.jsonl how far the machine's clock is ahead before and after. Then holds the camera for so
+// many seconds.
 #include "core/error.h"
 #include "fingerprint.h"
 #include "machine_clock.h"
@@ -108,19 +109,23 @@ void take(libcamera::Camera& camera, libcamera::Stream* stream, int count, const
   check(camera.stop(), "stop");
 }
 
-void run(const std::string& format, int count, int hold_seconds) {
+void take_with_times(libcamera::Camera& camera, libcamera::Stream* stream, int count) {
   const std::filesystem::path results = std::getenv("CAMERA_RESULTS");
   const MachineClock clock;
   std::ofstream leads(results / "clock.jsonl");
   leads << line_of(clock.ask()) << '\n';
+  take(camera, stream, count, results);
+  leads << line_of(clock.ask()) << '\n';
+}
 
+void run(const std::string& format, int count, int hold_seconds) {
   libcamera::CameraManager manager;
   check(manager.start(), "start of the manager");
   if (manager.cameras().empty()) throw Error("there is no camera");
   {
     const std::shared_ptr<libcamera::Camera> camera = manager.cameras().front();
-    std::cout << camera->id() << std::endl;
     check(camera->acquire(), "acquire");
+    std::cout << "has " << camera->id() << std::endl;
     camera->requestCompleted.connect(&on_completed);
     const auto configuration = camera->generateConfiguration({libcamera::StreamRole::VideoRecording});
     libcamera::StreamConfiguration& wanted = configuration->at(0);
@@ -128,8 +133,7 @@ void run(const std::string& format, int count, int hold_seconds) {
     wanted.size = {640, 480};
     if (configuration->validate() != libcamera::CameraConfiguration::Valid) throw Error("the format is not there");
     check(camera->configure(configuration.get()), "configure");
-    if (count > 0) take(*camera, wanted.stream(), count, results);
-    leads << line_of(clock.ask()) << '\n';
+    if (count > 0) take_with_times(*camera, wanted.stream(), count);
     std::this_thread::sleep_for(std::chrono::seconds(hold_seconds));
     check(camera->release(), "release");
   }

@@ -112,7 +112,7 @@ Bytes configuration_descriptor(std::span<const VideoMode> modes, double rate) {
   constexpr u8 bus_powered = 0x80, half_an_ampere = 250;
   append_descriptor(out, u8{USB_DT_CONFIG}, u16{0}, u8{2}, u8{1}, u8{0}, bus_powered, half_an_ampere);
   append_descriptor(out, u8{USB_DT_INTERFACE_ASSOCIATION}, control_interface, u8{2}, video_class,
-                    u8{UVC_SC_VIDEO_INTERFACE_COLLECTION}, u8{0}, u8{2});
+                    u8{UVC_SC_VIDEO_INTERFACE_COLLECTION}, u8{0}, u8{0});
   append_control_interface(out);
   append_streaming_interface(out, modes, frame_interval(rate));
   put(out, 2, static_cast<u16>(out.size()));
