@@ -1,6 +1,6 @@
-// played_pictures CATALOGUE FOLDER COUNT: draws what the played camera shows, two sticks in two hands, 640 x 480 at 15
-// pictures a second, to FOLDER/mjpeg/NNNN.jpg, FOLDER/yuyv/NNNN.yuyv and, with where the sticks truly are,
-// FOLDER/truth.jsonl.
+// played_pictures CATALOGUE FOLDER COUNT: draws what the played camera shows, a stick that turns by 0.4 degrees a
+// picture before a head that sways, 640 x 480, to FOLDER/mjpeg/NNNN.jpg, FOLDER/yuyv/NNNN.yuyv and, with where the
+// stick truly is, FOLDER/truth.jsonl.
 #include "camera/open_camera.h"
 #include "core/error.h"
 #include "marker/catalog.h"
@@ -18,10 +18,6 @@ namespace onestroke {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
-
-// The hands come into the picture first.
-constexpr int left_out = 30;
-constexpr int tenth = 10;
 
 void write(const std::filesystem::path& file, const Bytes& bytes) {
   std::ofstream out(file, std::ios::binary);
@@ -77,24 +73,19 @@ nlohmann::json truth_of(const Camera& camera, const Picture& picture) {
 void draw(const std::filesystem::path& catalogue, const std::filesystem::path& folder, int count) {
   const Catalog catalog = load_catalog(catalogue);
   CameraOptions options;
-  options.spec = "synthetic:width=640,height=480,fov_deg=50,fps=15,head=0";
+  options.spec = "synthetic:width=640,height=480,fov_deg=35,script=turn_z,head=1,step_deg=0.4";
   options.catalog = &catalog;
   const std::unique_ptr<Camera> camera = open_camera(options);
-  for (const char* const format : {"mjpeg", "yuyv", "mjpeg_tenth", "yuyv_tenth"})
-    std::filesystem::create_directories(folder / format);
+  for (const char* const format : {"mjpeg", "yuyv"}) std::filesystem::create_directories(folder / format);
   std::ofstream truth(folder / "truth.jsonl");
-  for (int i = -left_out; i < count; ++i) {
+  for (int i = 0; i < count; ++i) {
     PictureHandle picture;
     if (camera->next(picture) != Camera::Status::ok) throw Error("the synthetic camera has no picture");
-    if (i < 0) continue;
     std::string name = std::to_string(i);
     name.insert(0, 4 - name.size(), '0');
-    for (const char* const which : {"", "_tenth"}) {
-      if (*which != '\0' && i % tenth != 0) continue;
-      write(folder / ("mjpeg" + std::string(which)) / (name + ".jpg"), to_jpeg(*picture));
-      write(folder / ("yuyv" + std::string(which)) / (name + ".yuyv"), to_yuyv(*picture));
-    }
-    truth << nlohmann::json{{"picture", name}, {"markers", truth_of(*camera, *picture)}} << '\n';
+    write(folder / "mjpeg" / (name + ".jpg"), to_jpeg(*picture));
+    write(folder / "yuyv" / (name + ".yuyv"), to_yuyv(*picture));
+    truth << nlohmann::json{{"image", name}, {"markers", truth_of(*camera, *picture)}} << '\n';
   }
 }
 
