@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -63,6 +64,7 @@ struct Difference {
 };
 
 double share_of(std::vector<double> values, double share) {
+  if (values.empty()) return std::numeric_limits<double>::infinity();
   std::ranges::sort(values);
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
@@ -80,9 +82,9 @@ Difference difference(const Places& some, const Places& others) {
 }
 
 void say(const char* what, const Difference& d) {
-  std::cout << what << ", " << d.mm.size() << " poses: degrees, median " << share_of(d.degrees, 0.5) << ", at most "
-            << share_of(d.degrees, 1) << "; mm, median " << share_of(d.mm, 0.5) << ", at most " << share_of(d.mm, 1)
-            << '\n';
+  std::cout << what << ", " << d.mm.size() << " poses: degrees, median " << share_of(d.degrees, 0.5)
+            << ", 95 of 100 within " << share_of(d.degrees, 0.95) << "; mm, median " << share_of(d.mm, 0.5)
+            << ", 95 of 100 within " << share_of(d.mm, 0.95) << '\n';
 }
 
 Places truth() {
@@ -97,27 +99,49 @@ Places tracked_here() {
   return places_of(read_lines(file));
 }
 
+// As many as the emulated processor has time for, of twice as many that are played.
+constexpr std::size_t asked = 150;
+
+/// A picture may be left out, and its pose then is not among these.
 Places tracked_in_guest(const std::string& name, const std::string& format) {
-  const GuestRun run =
-      run_in_guest(name, "--rate 15 --format " + format,
-                   "sh -c '" + track + "--camera libcamera --frames 300 --output $CAMERA_RESULTS/poses.jsonl'");
+  const GuestRun run = run_in_guest(name, "--rate 8 --format " + format,
+                                    "sh -c '" + track + "--camera libcamera --frames " + std::to_string(asked) +
+                                        " --output $CAMERA_RESULTS/poses.jsonl'");
   EXPECT_EQ(run.code, 0) << run.output;
-  return places_of(read_lines(run.results / "poses.jsonl"));
+  const Places places = places_of(read_lines(run.results / "poses.jsonl"));
+  EXPECT_EQ(places.size(), asked);
+  return places;
+}
+
+/// The tracker follows, and here it sees all pictures, so that the poses are not the same to the last bit.
+void expect_alike(const Difference& d) {
+  EXPECT_GE(d.mm.size(), asked);
+  EXPECT_LT(share_of(d.degrees, 0.5), 0.3);
+  EXPECT_LT(share_of(d.mm, 0.5), 0.1);
+  EXPECT_LT(share_of(d.degrees, 0.95), 1.5);
+  EXPECT_LT(share_of(d.mm, 0.95), 0.5);
+}
+
+void expect_true(const Difference& d) {
+  EXPECT_GE(d.mm.size(), asked);
+  EXPECT_LT(share_of(d.degrees, 0.5), 0.6);
+  EXPECT_LT(share_of(d.mm, 0.5), 0.3);
 }
 
 TEST(GuestTrack, FindsInJpegsWhatItFindsInTheirFiles) {
-  const Places in_guest = tracked_in_guest("TrackJpegs", "MJPG:640x480:" CAMERA_PLAYED "/mjpeg"), here = tracked_here();
-  EXPECT_EQ(in_guest.size(), here.size());
-  const Difference to_here = difference(in_guest, here), to_truth = difference(in_guest, truth());
+  const Places in_guest = tracked_in_guest("TrackJpegs", "MJPG:640x480:" CAMERA_PLAYED "/mjpeg");
+  const Difference to_here = difference(in_guest, tracked_here()), to_truth = difference(in_guest, truth());
   say("to what is found here", to_here);
   say("to the truth", to_truth);
-  say("here, to the truth", difference(here, truth()));
+  expect_alike(to_here);
+  expect_true(to_truth);
 }
 
 TEST(GuestTrack, FindsInYuyvPicturesWhatIsTrue) {
   const Places in_guest = tracked_in_guest("TrackYuyv", "YUYV:640x480:" CAMERA_PLAYED "/yuyv");
   const Difference to_truth = difference(in_guest, truth());
   say("to the truth", to_truth);
+  expect_true(to_truth);
 }
 
 }  // namespace
