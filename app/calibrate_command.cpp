@@ -1,7 +1,9 @@
 #include "app/calibrate_command.h"
 
+#include "app/clock_sights.h"
 #include "app/head_mount.h"
 #include "app/head_recording.h"
+#include "app/head_sights.h"
 #include "app/say.h"
 #include "core/error.h"
 
@@ -14,11 +16,8 @@
 namespace onestroke {
 namespace {
 
-HeadRecording record(const CalibrateOptions& options) {
-  if (!options.replay.empty()) return record_from_log(options);
-  if (!options.head_poses.empty()) return record_from_poses(options);
-  return record_live(options);
-}
+constexpr const char* unseen =
+    "no marker of the catalogue was seen with the head's pose known: lay one down in sight, in good light";
 
 std::string now_utc() {
   const std::time_t now = std::time(nullptr);
@@ -52,23 +51,42 @@ void print(std::ostream& out, const HeadCalibration& c) {
   if (r.worst_px > 0) print(out, "in the picture: %.2f and %.2f px", r.rms_px, r.worst_px);
 }
 
-}  // namespace
-
-int calibrate_command(const CalibrateOptions& options, std::ostream& out) {
-  const HeadRecording recording = record(options);
-  if (recording.sights.seen() == 0)
-    throw Error("no marker of the catalogue was seen with the head's pose known: lay one down in sight, in good light");
-  const MountReport report{.calibration = calibrate_head(recording.sights.sights(), recording.focal_px),
+void calibrate_head(const CalibrateOptions& options, std::ostream& out) {
+  HeadSights sights;
+  const HeadRecording recording = record_sights(options, sights);
+  if (sights.seen() == 0) throw Error(unseen);
+  const MountReport report{.calibration = calibrate_head(sights.sights(), recording.focal_px),
                            .headset = recording.headset,
                            .camera = recording.camera,
                            .date = now_utc()};
   print(out, report.calibration);
   write_mount(options.output, report);
   out << "wrote " << options.output.string() << "; `onestroke run --head-camera` takes it\n";
-  if (!report.headset.empty()) {
-    keep_mount(report);
-    out << "kept in " << mounts_file().string() << " for " << report.headset << ", where `onestroke run` finds it\n";
-  }
+  if (report.headset.empty()) return;
+  keep_mount(report);
+  out << "kept in " << mounts_file().string() << " for " << report.headset << ", where `onestroke run` finds it\n";
+}
+
+void calibrate_clock(const CalibrateOptions& options, std::ostream& out) {
+  ClockSights sights;
+  const HeadRecording recording = record_sights(options, sights);
+  if (sights.seen() == 0) throw Error(unseen);
+  const ClockOffset found = find_clock_offset(sights.sights(), recording.focal_px);
+  const double already = options.source.live.clock_offset.ms();
+  print(out, "the light of a picture was gathered %.2f +- %.2f ms later than its time says (negative: earlier)",
+        found.offset.ms(), found.deviation.ms());
+  print(out, "from %zu pictures; rms of what is left: %.3f degrees, %.2f px", found.used, found.residual_deg,
+        found.residual_px);
+  print(out, "give --clock-offset-ms %.2f with this camera and this exposure", found.offset.ms() + already);
+}
+
+}  // namespace
+
+int calibrate_command(const CalibrateOptions& options, std::ostream& out) {
+  if (options.what == CalibrateOptions::What::clock)
+    calibrate_clock(options, out);
+  else
+    calibrate_head(options, out);
   end_output(out);
   return 0;
 }

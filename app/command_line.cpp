@@ -152,6 +152,25 @@ void add_calibrate(CLI::App& program, CalibrateOptions& options) {
     replay->excludes(head.get_option(pictures));
 }
 
+void add_calibrate_camera(CLI::App& calibrate, CalibrateOptions& options) {
+  CLI::App& camera = *calibrate.add_subcommand("camera", help::calibrate_camera);
+  camera.footer(help::calibrate_camera_examples);
+  camera.add_flag("--clock", help::calibrate_clock)->required();
+  add_camera(camera, options.source);
+  camera.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE");
+  camera.add_option("--display", options.display, help::calibrate_display)
+      ->type_name("SPEC")
+      ->check(one_of({{"openxr", More::none}}, "openxr"))
+      ->capture_default_str();
+  camera.add_option("--seconds", options.seconds, help::calibrate_seconds)
+      ->type_name("S")
+      ->check(number_between(1e-3, 1e6, " seconds"));
+  camera.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
+  auto* poses = camera.add_option("--head-poses", options.head_poses, help::head_poses);
+  poses->type_name("FILE.jsonl")->check(not_empty());
+  for (const char* live : {"--display", "--seconds", "--gpu"}) poses->excludes(camera.get_option(live));
+}
+
 void add_doctor(CLI::App& program, DoctorOptions& options) {
   CLI::App& doctor = *program.add_subcommand("doctor", help::doctor);
   doctor.add_flag("--json", options.json, help::doctor_json);
@@ -179,6 +198,7 @@ struct Program {
     add_track(app, track);
     add_marker(app, marker);
     add_calibrate(app, calibrate);
+    add_calibrate_camera(*app.get_subcommand("calibrate"), calibrate);
     add_doctor(app, doctor);
   }
 
@@ -228,17 +248,20 @@ void check_worn(const Program& program, const RunOptions& options) {
   refuse(program, "--world " + std::string(name_of(options.world)) + " is for a headset alone: add --display openxr");
 }
 
-const CalibrateOptions& checked_calibrate(const Program& program) {
+CalibrateOptions checked_calibrate(const Program& program) {
   const CLI::App& calibrate = *program.app.get_subcommand("calibrate");
-  if (calibrate.get_subcommands().empty()) refuse(program, "what to calibrate is missing: head");
-  const CLI::App& head = *calibrate.get_subcommand("head");
-  const CalibrateOptions& options = program.calibrate;
+  if (calibrate.get_subcommands().empty()) refuse(program, "what to calibrate is missing: head or camera");
+  const CLI::App& what = innermost(calibrate);
+  CalibrateOptions options = program.calibrate;
   if (!options.replay.empty()) return options;
-  if (head.count("--camera") == 0) refuse(program, "the headset's camera is missing: give --camera SPEC");
+  if (what.count("--camera") == 0) refuse(program, "the headset's camera is missing: give --camera SPEC");
   if (options.catalog.empty()) refuse(program, "the markers are missing: give --catalog FILE");
   if (!options.headset.empty() && options.head_poses.empty())
     refuse(program, "--headset is for recordings, since a headset says its name: leave it out");
   check_source(program, options.source);
+  if (what.get_name() == "head") return options;
+  options.what = CalibrateOptions::What::clock;
+  options.recorded = options.source.camera.starts_with("folder");
   return options;
 }
 

@@ -69,13 +69,17 @@ struct MarkerOptions {
   bool replace = false;             ///< import: new entries take the place of old ones with the same id.
 };
 
-/// `calibrate head`: live, from pictures with poses of the head, or from a session's log.
+/// `calibrate head` and `calibrate camera --clock`: live, from pictures with poses of the head, or from a session's
+/// log.
 struct CalibrateOptions {
+  enum class What { head, clock };
+  What what = What::head;
   SourceOptions source;
   std::string display = "openxr";
   std::filesystem::path catalog;
   std::filesystem::path output;
   std::filesystem::path head_poses, replay;  ///< One of them, or neither for a calibration that is live.
+  bool recorded = false;                     ///< The camera is a recording that says where the head was.
   std::string headset;                       ///< Its name, for a recording that does not have it.
   std::string gpu;
   std::optional<double> seconds;  ///< Stop after so long; otherwise when there is enough.

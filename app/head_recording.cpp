@@ -14,25 +14,26 @@
 
 namespace onestroke {
 
-HeadRecording record_from_log(const CalibrateOptions& options) {
+HeadRecording record_from_log(const CalibrateOptions& options, Sights& sights) {
   SessionReader session(options.replay);
   if (!session.header().T_head_camera)
     throw Error(options.replay.string() + " has no poses of a head: record a session with --display openxr");
   const Pose T_camera_head = inverse(*session.header().T_head_camera);
-  HeadRecording recording{.sights = {}, .headset = options.headset, .camera = session.header().camera};
+  HeadRecording recording{.headset = options.headset, .camera = session.header().camera};
   while (const SessionFrame* frame = session.next()) {
     if (!frame->picture) continue;
-    recording.sights.add(frame->record, frame->record.T_world_camera * T_camera_head);
+    sights.add(frame->record, frame->record.T_world_camera * T_camera_head);
     recording.focal_px = frame->lens.intrinsics.fx;
   }
   return recording;
 }
 
-HeadRecording record_from_poses(const CalibrateOptions& options) {
-  const HeadPoseFile heads(options.head_poses);
+HeadRecording record_from_poses(const CalibrateOptions& options, Sights& sights) {
+  std::optional<HeadPoseFile> heads;
+  if (!options.head_poses.empty()) heads.emplace(options.head_poses);
   const Catalog catalog = load_catalog(options.catalog);
   const std::unique_ptr<Camera> camera = open_source(options.source, catalog);
-  HeadRecording recording{.sights = {}, .headset = options.headset, .camera = options.source.camera};
+  HeadRecording recording{.headset = options.headset, .camera = options.source.camera};
   // Pictures without times have nothing to do with each other.
   Tracker tracker(catalog, {.independent = camera->rate() <= 0});
   const auto record = std::make_unique<FrameRecord>();
@@ -46,15 +47,23 @@ HeadRecording record_from_poses(const CalibrateOptions& options) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       continue;
     }
-    progress.say(++taken, camera->length(), ", " + std::to_string(recording.sights.sights().size()) + " sights");
+    progress.say(++taken, camera->length(), ", " + std::to_string(sights.seen()) + " sights");
     recording.focal_px = picture->intrinsics.fx;
-    const auto head = heads.head_of(*picture);
+    const std::optional<Pose> head = heads ? heads->head_of(*picture) : std::optional(picture->T_world_camera);
     if (!head) continue;
+    // A tracker that knew would find the head's poses confirmed.
+    picture.set_T_world_camera({});
     tracker.process(*picture, *record);
-    recording.sights.add(*record, *head);
+    sights.add(*record, *head);
   }
   if (!camera->message().empty()) throw Error(camera->message());
   return recording;
+}
+
+HeadRecording record_sights(const CalibrateOptions& options, Sights& sights) {
+  if (!options.replay.empty()) return record_from_log(options, sights);
+  if (!options.head_poses.empty() || options.recorded) return record_from_poses(options, sights);
+  return record_live(options, sights);
 }
 
 }  // namespace onestroke

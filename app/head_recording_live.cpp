@@ -1,5 +1,4 @@
 #include "app/graphics.h"
-#include "app/head_camera.h"
 #include "app/head_recording.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -27,12 +26,13 @@ class Prompter {
  public:
   explicit Prompter(Gpu& gpu) : renderer_(gpu) {}
 
-  void set_picture(PictureHandle picture) {
+  void set_picture(PictureHandle picture, const Pose& T_world_camera) {
     renderer_.set_picture(*picture);
+    renderer_.set_picture_pose(T_world_camera);
     picture_ = std::move(picture);
   }
 
-  void draw(const FrameInfo& frame, const HeadSights& sights) {
+  void draw(const FrameInfo& frame, const Sights& sights) {
     words_ = sights.advice() + "\n" + percent(sights);
     const Pose& eye = frame.views[0].T_world_view;
     const std::array labels{
@@ -43,7 +43,7 @@ class Prompter {
       throw Error(renderer_.lost() ? "the GPU was lost: calibrate again" : renderer_.failure());
   }
 
-  static std::string percent(const HeadSights& sights) {
+  static std::string percent(const Sights& sights) {
     return std::to_string(std::lround(100 * sights.progress())) + " %";
   }
 
@@ -54,24 +54,26 @@ class Prompter {
 };
 
 void record(Display& display, TrackingThread& tracking, Prompter& prompter, const CalibrateOptions& options,
-            HeadRecording& recording) {
+            Sights& sights, HeadRecording& recording) {
   Progress progress;
   const Time began = Time::now();
   const auto out_of_time = [&] { return options.seconds && (Time::now() - began).seconds() >= *options.seconds; };
   FrameInfo frame;
-  while (!recording.sights.enough() && !out_of_time() && !display.closed() && !interrupted()) {
+  while (!sights.enough() && !out_of_time() && !display.closed() && !interrupted()) {
     display.poll();
     display.begin(frame);
     const bool finished = tracking.finished();
     tracking.drain([&](TrackedFrame& tracked) {
-      recording.sights.add(tracked.record, tracked.record.T_world_camera);
       recording.focal_px = tracked.picture->intrinsics.fx;
-      prompter.set_picture(std::move(tracked.picture));
+      const std::optional<Pose> head = display.head_at(tracked.record.time);
+      if (!head) return;
+      sights.add(tracked.record, *head);
+      prompter.set_picture(std::move(tracked.picture), *head);
     });
-    if (frame.should_render) prompter.draw(frame, recording.sights);
+    if (frame.should_render) prompter.draw(frame, sights);
     display.end(frame);
     if (display.gpu_lost()) throw Error("the headset's runtime went away: start it, and calibrate again");
-    progress.say(Prompter::percent(recording.sights) + ": " + recording.sights.advice());
+    progress.say(Prompter::percent(sights) + ": " + sights.advice());
     if (!finished) continue;
     if (!tracking.message().empty()) throw Error(tracking.message());
     break;
@@ -80,28 +82,28 @@ void record(Display& display, TrackingThread& tracking, Prompter& prompter, cons
 
 }  // namespace
 
-HeadRecording record_live(const CalibrateOptions& options) {
+HeadRecording record_live(const CalibrateOptions& options, Sights& sights) {
   const Catalog catalog = load_catalog(options.catalog);
   const std::unique_ptr<Display> display = open_display(options.display, {});
   if (!display->tracks_head())
     throw UsageError("--display " + options.display + " follows no head: use --display openxr");
-  // A camera that sat where the head is would be where the head was.
+  // Where the camera sits is not known yet: as if where the head is. The pictures do not say so, or a tracker that
+  // expects the marker to stand still in the world would find the head's poses confirmed.
   const HeadMount mount{.head = display.get(), .T_head_camera = {}};
   const std::unique_ptr<Camera> camera = open_source(options.source, catalog, mount);
   if (!camera->live())
     throw UsageError("the pictures of " + options.source.camera +
                      " are not taken now, by the headset's camera: give --head-poses FILE with where the head was");
-  HeadRecording recording{.sights = {}, .headset = display->headset(), .camera = options.source.camera};
+  HeadRecording recording{.headset = display->headset(), .camera = options.source.camera};
   GpuOptions wanted = gpu_options(options.gpu);
   wanted.needs = display->needs();
   Gpu gpu(wanted);
   display->attach(gpu);
   Prompter prompter(gpu);
-  HeadCamera head(*camera, mount);
   Tracker tracker(catalog);
-  TrackingThread tracking(head, tracker, TrackingThread::Pacing::newest);
+  TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::newest);
   catch_interrupt();
-  record(*display, tracking, prompter, options, recording);
+  record(*display, tracking, prompter, options, sights, recording);
   display->finish();
   return recording;
 }

@@ -9,13 +9,6 @@ namespace onestroke {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-// A pose that is known worse about any axis tells nothing.
-constexpr double worst_deg = 3;
-
-bool well_known(const MarkerObservation& marker) {
-  const double worst = worst_deg * degree;
-  return std::max({marker.covariance[0], marker.covariance[7], marker.covariance[14]}) < worst * worst;
-}
 
 }  // namespace
 
@@ -30,7 +23,7 @@ bool HeadSights::too_fast(Time time, const Pose& T_world_head) {
 void HeadSights::add(const FrameRecord& record, const Pose& T_world_head) {
   const bool fast = too_fast(record.time, T_world_head);
   for (const MarkerObservation& marker : record.seen()) {
-    if (marker.state != MarkerState::measured || !well_known(marker)) continue;
+    if (!tells_pose(marker)) continue;
     ++seen_;
     std::vector<HeadSight>& sights = by_marker_[marker.id];
     const auto stood = [&](const HeadSight& sight) { return heads_alike(sight.T_world_head, T_world_head); };

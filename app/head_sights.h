@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame_record.h"
+#include "app/sights.h"
 #include "tracking/head_calibration.h"
 
 #include <map>
@@ -12,7 +12,7 @@ namespace onestroke {
 
 /// Gathers the sights of a marker from which a head's camera is calibrated. Of several markers the one that is seen
 /// most is taken.
-class HeadSights {
+class HeadSights final : public Sights {
  public:
   /// How many sights, and how far a head must have turned about two axes, for enough().
   static constexpr std::size_t wanted = 40;
@@ -20,19 +20,14 @@ class HeadSights {
   /// A head that turns faster tells more of the clocks than of the camera.
   static constexpr double fastest_deg_s = 60;
 
-  /// A picture's markers, and where the head was in the middle of its exposure. Takes in those that are measured, and
-  /// where the head stands elsewhere than before.
-  void add(const FrameRecord& record, const Pose& T_world_head);
+  /// Takes in markers that are measured, where the head stands elsewhere than before.
+  void add(const FrameRecord& record, const Pose& T_world_head) override;
 
   std::span<const HeadSight> sights() const;
-  /// Pictures with a marker so far, used or not.
-  std::size_t seen() const { return seen_; }
+  std::size_t seen() const override { return seen_; }
   const HeadTurn& turn() const { return turn_; }
-  /// 0 to 1.
-  double progress() const;
-  bool enough() const { return progress() >= 1; }
-  /// What the wearer should do next, in a few words.
-  std::string advice() const;
+  double progress() const override;
+  std::string advice() const override;
 
  private:
   bool too_fast(Time time, const Pose& T_world_head);

@@ -180,6 +180,18 @@ and down, towards either shoulder, also from other places. Each line of --head-p
 or has the "image" that it belongs to in place of "time_ns": a unit quaternion and millimetres, from the head's axes
 (x right, y down, z forward, as the eyes look) to any that stand still.)";
 
+inline constexpr const char* calibrate_camera = "What is not known of a camera";
+inline constexpr const char* calibrate_clock =
+    "How much later than its time says a picture was exposed, from a marker that lies still and a head that turns to "
+    "and "
+    "fro";
+inline constexpr const char* calibrate_camera_examples = R"(Examples:
+  onestroke calibrate camera --clock --camera libcamera --exposure-ms 4 --fov 90 --catalog markers.db
+  onestroke calibrate camera --clock --camera folder:recording --catalog markers.db
+
+Lay a marker down in good light, put the headset on, and with the marker in sight turn your head to and fro, about once a
+second, for ten seconds. A folder that `onestroke run --record` made says itself where the head was.)";
+
 inline constexpr const char* doctor = "Say what there is of headset, GPU, displays and cameras, and what each lacks";
 inline constexpr const char* doctor_json = "As JSON, for programs";
 

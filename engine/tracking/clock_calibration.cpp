@@ -1,6 +1,8 @@
 #include "tracking/clock_calibration.h"
 
 #include "core/error.h"
+#include "tracking/hand_eye.h"
+#include "tracking/head_path.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -13,53 +15,25 @@ namespace onestroke {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-// Sights further apart than this do not follow one another.
-constexpr Duration gap = Duration::from_ms(150);
+constexpr Duration gap = HeadPath::gap;
 // How far apart the two of a pair are: long enough that the turn stands out of the noise, short enough to change.
 constexpr Duration apart = Duration::from_ms(130);
-constexpr Duration coarse = Duration::from_ms(4), settled = Duration::from_seconds(2e-6);
+constexpr Duration coarse = Duration::from_ms(4), settled = Duration::from_seconds(1e-5);
 constexpr std::size_t stretches = 10;
 constexpr double tukey = 4.685, normal_median = 0.6745;
+// What the head's path between two of its poses leaves uncertain.
+constexpr double path_ms = 0.02;
+// A first guess of how well the head's poses are known.
+constexpr double rough_rad = 0.01, rough_mm = 3;
+// Normalised error squared of 6 degrees of freedom, which one of a thousand exceeds.
+constexpr double agreement = 22.46;
 
-Eigen::Vector3d vector_of(const Vec3& v) {
-  return {v.x, v.y, v.z};
+[[noreturn]] void refuse_misfit() {
+  throw Error(
+      "head and pictures do not agree at any offset up to 150 ms: check that the marker lies still and that the head "
+      "is "
+      "the one that carries the camera");
 }
-
-/// The head's rotation between sights: a cubic through neighbouring ones (Catmull and Rom) in the axes of the nearest.
-class HeadPath {
- public:
-  explicit HeadPath(std::span<const ClockSight> sights) : sights_(sights) {}
-
-  /// None where no sights are near on both sides.
-  std::optional<Quat> at(Time time) const {
-    const auto after = std::ranges::upper_bound(sights_, time, {}, &ClockSight::time);
-    if (after == sights_.begin() || after == sights_.end()) return std::nullopt;
-    const auto i = static_cast<std::size_t>(after - sights_.begin());
-    const ClockSight &a = sights_[i - 1], &b = sights_[i];
-    if (b.time - a.time > gap) return std::nullopt;
-    const double step = (b.time - a.time).seconds(), s = (time - a.time).seconds() / step;
-    const Vec3 to = turn(a, b);
-    const Vec3 slope_a = slope(i - 1, a, step, to), slope_b = slope(i, a, step, to);
-    const double s2 = s * s, s3 = s2 * s;
-    return a.T_world_head.rotation *
-           exp_so3((s3 - 2 * s2 + s) * slope_a + (3 * s2 - 2 * s3) * to + (s3 - s2) * slope_b);
-  }
-
- private:
-  static Vec3 turn(const ClockSight& a, const ClockSight& b) {
-    return log_so3(a.T_world_head.rotation.conjugate() * b.T_world_head.rotation);
-  }
-  /// Turn a step at sight i, in the axes of `origin`; where it has one neighbour alone, that of the step itself.
-  Vec3 slope(std::size_t i, const ClockSight& origin, double step, const Vec3& to) const {
-    if (i == 0 || i + 1 == sights_.size()) return to;
-    const ClockSight &before = sights_[i - 1], &after = sights_[i + 1];
-    const Duration span = after.time - before.time;
-    if (span > 2 * gap) return to;
-    return (step / span.seconds()) * (turn(origin, after) - turn(origin, before));
-  }
-
-  std::span<const ClockSight> sights_;
-};
 
 /// Two sights a little apart.
 struct Pair {
@@ -75,23 +49,24 @@ std::vector<Pair> pairs_of(std::span<const ClockSight> sights) {
     while (second + 1 < sights.size() && sights[second].time - sights[first].time < apart) ++second;
     const Duration span = sights[second].time - sights[first].time;
     if (span < apart || span > apart + gap) continue;
-    const Quat from = sights[first].T_camera_marker.rotation, to = sights[second].T_camera_marker.rotation;
-    pairs.push_back({first, second, vector_of(log_so3(from * to.conjugate()))});
+    const Quat from = sights[first].sight.T_camera_marker.rotation, to = sights[second].sight.T_camera_marker.rotation;
+    pairs.push_back({first, second, to_eigen(log_so3(from * to.conjugate()))});
   }
   return pairs;
 }
 
-/// What is left where the pictures were taken `offset` later.
-class Misfit {
+/// What is left between how camera and head turned, where the pictures were taken `offset` later.
+class TurnMisfit {
  public:
-  Misfit(std::span<const ClockSight> sights, const std::vector<Pair>& pairs)
-      : sights_(sights), path_(sights), pairs_(pairs), weights_(pairs.size(), 1.0) {}
+  explicit TurnMisfit(std::span<const ClockSight> sights)
+      : sights_(sights), path_(sights), pairs_(pairs_of(sights)), weights_(pairs_.size(), 1.0) {}
 
-  /// Weighted mean of the squares, rad^2; none where the head's path is not long enough. Pairs outside of [from, to)
-  /// do not count, or those inside where `without`.
-  double cost(Duration offset, std::size_t without_from = 0, std::size_t without_to = 0) const {
+  std::size_t pairs() const { return pairs_.size(); }
+
+  /// Weighted mean of the squares, rad^2.
+  double cost(Duration offset) const {
     double weight = 0, sum = 0;
-    const std::vector<std::optional<Eigen::Vector3d>> left = residuals(offset, without_from, without_to);
+    const std::vector<std::optional<Eigen::Vector3d>> left = residuals(offset);
     for (std::size_t i = 0; i < left.size(); ++i) {
       if (!left[i]) continue;
       weight += weights_[i];
@@ -100,37 +75,30 @@ class Misfit {
     return weight > 0 ? sum / weight : HUGE_VAL;
   }
 
-  /// Weighs the pairs by how well they agree; the median of what is left, rad.
-  double reweigh(Duration offset) {
-    const auto left = residuals(offset, 0, 0);
+  /// Weighs the pairs by how well they agree (Tukey).
+  void reweigh(Duration offset) {
+    const auto left = residuals(offset);
     std::vector<double> lengths;
     for (const auto& r : left)
       if (r) lengths.push_back(r->norm());
-    if (lengths.empty()) return 0;
+    if (lengths.empty()) return;
     std::ranges::nth_element(lengths, lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2));
-    const double median = lengths[lengths.size() / 2], reach = tukey * median / normal_median;
+    const double reach = tukey * lengths[lengths.size() / 2] / normal_median;
     for (std::size_t i = 0; i < left.size(); ++i) {
       const double u = left[i] && reach > 0 ? left[i]->norm() / reach : 0;
       weights_[i] = u < 1 ? (1 - u * u) * (1 - u * u) : 0;
     }
-    return median;
-  }
-
-  std::size_t used() const {
-    return static_cast<std::size_t>(std::ranges::count_if(weights_, [](double w) { return w > 0; }));
   }
 
  private:
-  std::vector<std::optional<Eigen::Vector3d>> residuals(Duration offset, std::size_t without_from,
-                                                        std::size_t without_to) const {
+  std::vector<std::optional<Eigen::Vector3d>> residuals(Duration offset) const {
     std::vector<std::optional<Eigen::Vector3d>> turns(pairs_.size());
     Eigen::Matrix3d together = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (i >= without_from && i < without_to) continue;
       const auto from = path_.at(sights_[pairs_[i].first].time + offset);
       const auto to = path_.at(sights_[pairs_[i].second].time + offset);
       if (!from || !to) continue;
-      turns[i] = vector_of(log_so3(from->conjugate() * *to));
+      turns[i] = to_eigen(log_so3(from->rotation.conjugate() * to->rotation));
       together += weights_[i] * pairs_[i].camera_turn * turns[i]->transpose();
     }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(together, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -143,7 +111,7 @@ class Misfit {
 
   std::span<const ClockSight> sights_;
   HeadPath path_;
-  const std::vector<Pair>& pairs_;
+  std::vector<Pair> pairs_;
   std::vector<double> weights_;
 };
 
@@ -172,32 +140,123 @@ Duration least(Duration from, Duration to, const Cost& cost) {
   return from + (to - from) / 2;
 }
 
-Duration search(const Misfit& misfit) {
-  Duration best = -widest_clock_offset;
-  double cost = HUGE_VAL;
-  for (Duration offset = best; offset <= widest_clock_offset; offset = offset + coarse) {
-    const double here = misfit.cost(offset);
-    if (here >= cost) continue;
-    cost = here;
-    best = offset;
+/// Within a few milliseconds.
+Duration first_look(std::span<const ClockSight> sights) {
+  TurnMisfit misfit(sights);
+  if (misfit.pairs() < fewest_clock_sights)
+    throw Error("the marker was seen in " + std::to_string(sights.size()) +
+                " pictures that follow one another, which is too few: keep it in sight for ten seconds");
+  Duration best;
+  for (int round = 0; round < 2; ++round) {
+    double cost = HUGE_VAL;
+    for (Duration offset = -widest_clock_offset; offset <= widest_clock_offset; offset = offset + coarse) {
+      const double here = misfit.cost(offset);
+      if (here >= cost) continue;
+      cost = here;
+      best = offset;
+    }
+    misfit.reweigh(best);
   }
-  if (best - coarse < -widest_clock_offset || best + coarse > widest_clock_offset)
-    throw Error(
-        "head and pictures do not agree at any offset up to 150 ms: check that the marker lies still and that the head "
-        "is the one that carries the camera");
+  if (best - coarse < -widest_clock_offset || best + coarse > widest_clock_offset) refuse_misfit();
   return best;
 }
 
-Duration jackknife(const Misfit& misfit, std::size_t pairs, Duration offset) {
-  std::vector<double> ms;
-  for (std::size_t k = 0; k < stretches; ++k) {
-    const std::size_t from = k * pairs / stretches, to = (k + 1) * pairs / stretches;
-    ms.push_back(least(offset - coarse, offset + coarse, [&](Duration d) { return misfit.cost(d, from, to); }).ms());
+/// Everything fitted together where the pictures were taken `offset` later.
+class WholeFit {
+ public:
+  WholeFit(std::span<const ClockSight> sights, Duration offset) : path_(sights) {
+    for (const ClockSight& s : sights)
+      if (path_.at(s.time + offset - reach) && path_.at(s.time + offset + reach)) sights_.push_back(s);
+    if (sights_.size() < fewest_clock_sights) refuse_misfit();
+    fit_.found = start_hand_eye(eigen_sights(offset, 0, 0));
+    fit_.noise.variance = {rough_rad * rough_rad, rough_mm * rough_mm, 0, 0};
+    settle(offset);
   }
+
+  /// The noise, who agrees, and the poses, for this offset.
+  void settle(Duration offset) {
+    for (int round = 0; round < 2; ++round) {
+      fit_.noise.estimated = {true, true, false, false};
+      const std::vector<EigenSight> eigen = eigen_sights(offset, 0, 0);
+      fit_ = fit_hand_eye(fit_, eigen);
+      std::vector<ClockSight> agreeing;
+      for (std::size_t i = 0; i < eigen.size(); ++i)
+        if (disagreement(fit_, eigen[i]) < agreement) agreeing.push_back(sights_[i]);
+      if (agreeing.size() < sights_.size() / 2) refuse_misfit();
+      sights_ = std::move(agreeing);
+    }
+    fit_.noise.estimated = {};
+  }
+
+  std::size_t size() const { return sights_.size(); }
+
+  /// Mean normalised square of what is left, without the sights of [from, to).
+  double cost(Duration offset, std::size_t from = 0, std::size_t to = 0) const {
+    const std::vector<EigenSight> eigen = eigen_sights(offset, from, to);
+    const HandEyeFit fit = fit_hand_eye(fit_, eigen, 2);
+    double sum = 0;
+    for (const EigenSight& sight : eigen) sum += disagreement(fit, sight);
+    return sum / static_cast<double>(eigen.size());
+  }
+
+  ClockOffset describe(Duration offset, double focal_px) const {
+    ClockOffset found{.offset = offset, .deviation = {}, .used = sights_.size()};
+    for (const EigenSight& sight : eigen_sights(offset, 0, 0)) {
+      const Vector6d r = hand_eye_residual(fit_.found, sight);
+      const double share = 1 / static_cast<double>(sights_.size());
+      found.residual_deg += share * r.head<3>().squaredNorm();
+      found.residual_px += share * r.segment<2>(3).squaredNorm() * std::pow(focal_px / sight.T_camera_marker.t.z(), 2);
+    }
+    found.residual_deg = std::sqrt(found.residual_deg) / degree;
+    found.residual_px = std::sqrt(found.residual_px);
+    return found;
+  }
+
+  static constexpr Duration reach = 3 * coarse;
+
+ private:
+  static double disagreement(const HandEyeFit& fit, const EigenSight& sight) {
+    const Vector6d r = hand_eye_residual(fit.found, sight);
+    return r.dot(hand_eye_covariance(fit.found, sight, fit.noise).ldlt().solve(r));
+  }
+
+  std::vector<EigenSight> eigen_sights(Duration offset, std::size_t from, std::size_t to) const {
+    std::vector<EigenSight> eigen;
+    for (std::size_t i = 0; i < sights_.size(); ++i) {
+      if (i >= from && i < to) continue;
+      HeadSight sight = sights_[i].sight;
+      sight.T_world_head = *path_.at(sights_[i].time + offset);
+      eigen.push_back(to_eigen(sight));
+    }
+    return eigen;
+  }
+
+  HeadPath path_;
+  std::vector<ClockSight> sights_;
+  HandEyeFit fit_;
+};
+
+Duration best_near(const WholeFit& fit, Duration offset, Duration reach, std::size_t from = 0, std::size_t to = 0) {
+  return least(offset - reach, offset + reach, [&](Duration d) { return fit.cost(d, from, to); });
+}
+
+Duration jackknife(const WholeFit& fit, Duration offset) {
+  std::vector<double> ms;
+  for (std::size_t k = 0; k < stretches; ++k)
+    ms.push_back(best_near(fit, offset, coarse / 2, k * fit.size() / stretches, (k + 1) * fit.size() / stretches).ms());
   double mean = 0, squares = 0;
   for (const double m : ms) mean += m / stretches;
   for (const double m : ms) squares += (m - mean) * (m - mean);
-  return Duration::from_ms(std::sqrt(squares * (stretches - 1) / stretches));
+  return Duration::from_ms(std::hypot(std::sqrt(squares * (stretches - 1) / stretches), path_ms));
+}
+
+void check_turn(std::span<const ClockSight> sights) {
+  if (median_turn_speed(sights) < slowest_clock_turn_deg_s * degree)
+    throw Error("the head hardly turned: turn it to and fro, about once a second, with the marker in sight");
+  std::vector<HeadSight> heads;
+  for (const ClockSight& sight : sights) heads.push_back(sight.sight);
+  if (head_turn(heads).second_deg < least_clock_turn_deg)
+    throw Error("the head turned about one axis alone: nod as well as looking left and right");
 }
 
 }  // namespace
@@ -207,7 +266,7 @@ double median_turn_speed(std::span<const ClockSight> sights) {
   for (std::size_t i = 1; i < sights.size(); ++i) {
     const Duration step = sights[i].time - sights[i - 1].time;
     if (step > Duration{} && step <= gap)
-      speeds.push_back(angle_between(sights[i].T_world_head.rotation, sights[i - 1].T_world_head.rotation) /
+      speeds.push_back(angle_between(sights[i].sight.T_world_head.rotation, sights[i - 1].sight.T_world_head.rotation) /
                        step.seconds());
   }
   if (speeds.empty()) return 0;
@@ -215,25 +274,19 @@ double median_turn_speed(std::span<const ClockSight> sights) {
   return speeds[speeds.size() / 2];
 }
 
-ClockOffset find_clock_offset(std::span<const ClockSight> sights) {
-  const std::vector<Pair> pairs = pairs_of(sights);
-  if (pairs.size() < fewest_clock_sights)
-    throw Error("the marker was seen in " + std::to_string(sights.size()) +
-                " pictures that follow one another, which is too few: keep it in sight for ten seconds");
-  if (median_turn_speed(sights) < slowest_clock_turn_deg_s * degree)
-    throw Error("the head hardly turned: turn it to and fro, about once a second, with the marker in sight");
-  Misfit misfit(sights, pairs);
-  Duration offset = search(misfit);
-  double median = 0;
-  constexpr int rounds = 4;
+ClockOffset find_clock_offset(std::span<const ClockSight> sights, double focal_px) {
+  Duration offset = first_look(sights);
+  check_turn(sights);
+  WholeFit fit(sights, offset);
+  constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
-    median = misfit.reweigh(offset);
-    offset = least(offset - coarse, offset + coarse, [&](Duration d) { return misfit.cost(d); });
+    offset = best_near(fit, offset, WholeFit::reach);
+    fit.settle(offset);
   }
-  return {.offset = offset,
-          .deviation = jackknife(misfit, pairs.size(), offset),
-          .used = misfit.used(),
-          .residual_deg = median / degree};
+  offset = best_near(fit, offset, WholeFit::reach);
+  ClockOffset found = fit.describe(offset, focal_px);
+  found.deviation = jackknife(fit, offset);
+  return found;
 }
 
 }  // namespace onestroke

@@ -94,6 +94,12 @@ double median_disagreement(const HandEye& guess, const std::vector<EigenSight>& 
 
 }  // namespace
 
+EigenSight to_eigen(const HeadSight& sight) {
+  return {.T_world_head = to_eigen(sight.T_world_head),
+          .T_camera_marker = to_eigen(sight.T_camera_marker),
+          .covariance = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(sight.covariance.data())};
+}
+
 Vector6d hand_eye_residual(const HandEye& guess, const EigenSight& sight) {
   return perturbation(predicted(guess, sight), sight.T_camera_marker);
 }

@@ -23,6 +23,8 @@ struct EigenSight {
   Matrix6d covariance;
 };
 
+EigenSight to_eigen(const HeadSight& sight);
+
 /// What a sight says against a guess: perturbation() from T_camera_marker as it follows from the guess to the measured
 /// one; rad and mm, camera axes.
 Vector6d hand_eye_residual(const HandEye& guess, const EigenSight& sight);

@@ -64,12 +64,7 @@ std::vector<HeadSight> unlike(std::span<const HeadSight> sights) {
 
 std::vector<EigenSight> to_eigen(const std::vector<HeadSight>& sights) {
   std::vector<EigenSight> all;
-  for (const HeadSight& sight : sights) {
-    EigenSight& e = all.emplace_back();
-    e.T_world_head = to_eigen(sight.T_world_head);
-    e.T_camera_marker = to_eigen(sight.T_camera_marker);
-    e.covariance = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(sight.covariance.data());
-  }
+  for (const HeadSight& sight : sights) all.push_back(to_eigen(sight));
   return all;
 }
 

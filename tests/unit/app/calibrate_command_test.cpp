@@ -2,6 +2,7 @@
 #include "app/calibrate_command.h"
 
 #include "../core/error_of.h"
+#include "app/clock_sights.h"
 #include "app/head_mount.h"
 #include "app/head_pose_file.h"
 #include "app/head_sights.h"
@@ -9,6 +10,7 @@
 #include "app/source.h"
 #include "core/error.h"
 #include "session_example.h"
+#include "tracking/clock_calibration.h"
 #include "tracking/tracker.h"
 
 #include <gmock/gmock.h>
@@ -153,6 +155,40 @@ TEST(CalibratedFromPictures, TheCameraIsFoundWhereItSits) {
   EXPECT_LT(turned, 0.1);
   EXPECT_LT(norm(off), 4 * norm(found.deviation_mm));
   EXPECT_LT(turned, 4 * norm(found.deviation_deg));
+}
+
+/// A head that is shaken and nods.
+class Shaker final : public HeadTracker {
+ public:
+  std::optional<Pose> head_at(Time time) const override {
+    const double t = static_cast<double>(time.ns) * 1e-9;
+    return Pose{exp_so3({5 * degree * std::sin(4.1 * t), 9 * degree * std::sin(5.3 * t), 0}), {}};
+  }
+};
+
+// Pictures whose times say that they are older than they are.
+TEST(CalibratedFromPictures, TheClockIsFoundToBeLate) {
+  const Catalog catalog = load_catalog(ONESTROKE_SOURCE_DIR "/assets/catalog.json");
+  const Shaker shaker;
+  SourceOptions pictures;
+  pictures.camera = "synthetic:script=still,width=640,height=480,fps=30,seconds=8,exposure_ms=4,readout_ms=12";
+  const auto camera = open_source(pictures, catalog, {.head = &shaker, .T_head_camera = {exp_so3({0.1, 0, 0}), {}}});
+  Tracker tracker(catalog);
+  const auto record = std::make_unique<FrameRecord>();
+  ClockSights sights;
+  const Duration late = Duration::from_ms(23);
+  for (PictureHandle picture; camera->next(picture) == Camera::Status::ok;) {
+    picture.set_T_world_camera({});
+    tracker.process(*picture, *record);
+    record->time = record->time - late;
+    sights.add(*record, *shaker.head_at(record->time));
+  }
+  const ClockOffset found = find_clock_offset(sights.sights());
+  std::cout << "off by " << (found.offset - late).ms() << " ms, deviation " << found.deviation.ms() << " ms, "
+            << found.residual_deg << " degrees left, " << found.used << " pictures\n";
+  EXPECT_LT(std::abs((found.offset - late).ms()), 0.5);
+  EXPECT_LT(std::abs((found.offset - late).ms()), 4 * found.deviation.ms());
+  EXPECT_GT(sights.progress(), 0.5);
 }
 
 TEST(HeadSights, TakesWhatIsMeasuredSlowAndNew) {

@@ -74,6 +74,37 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.seconds, 2.5);
 }
 
+TEST(CommandLine, SaysHowAConnectedCameraTakesItsPictures) {
+  const LiveOptions live = parsed<TrackOptions>(
+                               "track --camera libcamera:Logitech --fov 78 --catalog c.db --size 1280x720 --format "
+                               "mjpeg --rate 30 --exposure-ms 3.5 "
+                               "--gain 4 --white-balance 4500 --clock-offset-ms -12.25")
+                               .source.live;
+  ASSERT_TRUE(live.size && live.exposure);
+  EXPECT_EQ(live.size->width, 1280);
+  EXPECT_EQ(live.size->height, 720);
+  EXPECT_EQ(live.format, "mjpeg");
+  EXPECT_EQ(live.rate, 30);
+  EXPECT_EQ(*live.exposure, Duration::from_ms(3.5));
+  EXPECT_EQ(live.gain, 4);
+  EXPECT_EQ(live.white_balance, 4500);
+  EXPECT_EQ(live.clock_offset, Duration::from_ms(-12.25));
+  const LiveOptions none = parsed<RunOptions>("run --camera libcamera --fov 60").source.live;
+  EXPECT_FALSE(none.size || none.rate || none.exposure || none.gain || none.white_balance);
+  EXPECT_EQ(none.format, "");
+  EXPECT_THAT(refusal("run --exposure-ms 4"), HasSubstr("--exposure-ms is for a camera that is connected"));
+}
+
+TEST(CommandLine, CalibratesTheClockOfACamera) {
+  const auto options = parsed<CalibrateOptions>("calibrate camera --clock --camera folder:rec --fov 60 --catalog c.db");
+  EXPECT_EQ(options.what, CalibrateOptions::What::clock);
+  EXPECT_TRUE(options.recorded);
+  EXPECT_FALSE(
+      parsed<CalibrateOptions>("calibrate camera --clock --camera libcamera --fov 60 --catalog c.db").recorded);
+  EXPECT_EQ(parsed<CalibrateOptions>("calibrate head --replay a.jsonl --output h.json").what,
+            CalibrateOptions::What::head);
+}
+
 TEST(CommandLine, RunAsksAHeadsetForAWorld) {
   EXPECT_EQ(parsed<RunOptions>("run --display openxr").world, World::automatic);
   for (std::size_t i = 0; i < world_names.size(); ++i)
@@ -204,6 +235,21 @@ TEST(CommandLine, RefusesInOneLineWithARemedy) {
                          "calibrate head --output h.json --replay a.jsonl --camera synthetic",
                          "calibrate head --output h.json --replay a.jsonl --seconds 3",
                          "calibrate head --replay a.jsonl",
+                         "calibrate camera",
+                         "calibrate camera --camera synthetic --catalog c.db",
+                         "calibrate camera --clock --camera synthetic",
+                         "calibrate camera --clock --catalog c.db",
+                         "calibrate camera --clock --camera libcamera --catalog c.db",
+                         "run --camera synthetic --exposure-ms 4",
+                         "run --camera file:a.mp4 --fov 60 --size 640x480",
+                         "track --camera folder:a --fov 60 --catalog c.db --clock-offset-ms 3",
+                         "run --camera libcamera",
+                         "run --camera libcamera --fov 60 --size 640",
+                         "run --camera libcamera --fov 60 --size 640x480x3",
+                         "run --camera libcamera --fov 60 --size 0x480",
+                         "run --camera libcamera --fov 60 --format grey",
+                         "run --camera libcamera --fov 60 --exposure-ms 0",
+                         "run --camera libcamera: --fov 60",
                          "doctor more",
                          "run --replay a.jsonl --head-camera h.json",
                          "--completion fish"};
@@ -307,10 +353,10 @@ TEST(CommandLine, CompletesInBash) {
   EXPECT_EQ(offered("onestroke track --o", 2), "--output --overlay");
   EXPECT_EQ(offered("onestroke marker ''", 2), "import export list show --help");
   EXPECT_EQ(offered("onestroke marker import --r", 3), "--replace");
-  EXPECT_EQ(offered("onestroke calibrate ''", 2), "head --help");
+  EXPECT_EQ(offered("onestroke calibrate ''", 2), "head camera --help");
   EXPECT_EQ(offered("onestroke calibrate head --head", 3), "--head-poses --headset");
   EXPECT_EQ(offered("onestroke doctor --j", 2), "--json");
-  EXPECT_EQ(offered("onestroke run --g", 2), "--gpu");
+  EXPECT_EQ(offered("onestroke run --gp", 2), "--gpu");
   EXPECT_EQ(offered("onestroke run --no-m", 2), "--no-mirror");
   EXPECT_EQ(offered("onestroke run --mode f", 3), "fresh");
   EXPECT_EQ(offered("onestroke run --camera f", 3), "file: folder:");
