@@ -111,7 +111,7 @@ TEST(LiveCamera, TakesEveryYuyvPicture) {
 }
 
 TEST(LiveCamera, TakesEveryMjpegPicture) {
-  expect_all_of_300(run(mjpeg + "--rate 10", take + "--count 300 --seconds 45"), 10);
+  expect_all_of_300(run(mjpeg + "--rate 12", take + "--count 300 --seconds 45"), 12);
 }
 
 TEST(LiveCamera, SetsWhatIsAsked) {
@@ -132,7 +132,7 @@ TEST(LiveCamera, SetsWhatIsAsked) {
 
 TEST(LiveCamera, ComesBackWhenPluggedInAgain) {
   const GuestRun taken =
-      run(yuyv + "--loop --unplug-after 40 --replug-after 2", take + "--exposure-ms 8 --count 90 --seconds 30");
+      run(yuyv + "--loop --unplug-after 40 --replug-after 1", take + "--exposure-ms 8 --count 90 --seconds 30");
   ASSERT_EQ(taken.code, 0) << taken.output;
   EXPECT_EQ(taken.events_of("plug").size(), 2u);
   EXPECT_EQ(taken.pictures.size(), 90u);

@@ -99,8 +99,8 @@ Places tracked_here() {
   return places_of(read_lines(file));
 }
 
-// As many as the emulated processor has time for, of twice as many that are played.
-constexpr std::size_t asked = 150;
+// As many as the emulated processor has time for, of three times as many that are played.
+constexpr std::size_t asked = 100;
 
 /// A picture may be left out, and its pose then is not among these.
 Places tracked_in_guest(const std::string& name, const std::string& format) {
