@@ -1,7 +1,7 @@
 #include "camera/jpeg_decoder.h"
 
 #include "camera/jpeg_memory.h"
-#include "camera/picture_file.h"
+#include "camera/picture_bytes.h"
 
 #include <jerror.h>
 #include <jpeglib.h>

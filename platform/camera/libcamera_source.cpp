@@ -11,6 +11,7 @@
 #include <cctype>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace onestroke {
 namespace {
@@ -57,6 +58,7 @@ class LibcameraSource final : public CaptureSource {
   }
 
   std::unique_ptr<CaptureStream> start(Waker& waker, Refused& refused) override {
+    if (std::exchange(started_, true)) renew_system();
     const Camera_ camera = find(refused);
     if (!camera) return nullptr;
     id_ = camera->id();
@@ -87,6 +89,12 @@ class LibcameraSource final : public CaptureSource {
   }
 
  private:
+  /// libcamera 0.0.3 keeps a list of devices with what has gone, and reads freed memory when one of them comes again.
+  void renew_system() {
+    system_.reset();
+    system_ = LibcameraSystem::get();
+  }
+
   Camera_ find(Refused& refused) const {
     const std::vector<Camera_> cameras = system_->cameras();
     // The one that it was before, or another of the same kind in its place.
@@ -135,11 +143,11 @@ class LibcameraSource final : public CaptureSource {
     for (const std::string& line : shortfalls) options_.say("camera " + name() + ": " + line);
   }
 
-  const std::shared_ptr<LibcameraSystem> system_;
+  std::shared_ptr<LibcameraSystem> system_;
   const std::string wanted_;
   const LiveOptions options_;
   std::string id_, model_;  // of the camera that was started last
-  bool told_ = false;
+  bool started_ = false, told_ = false;
 };
 
 }  // namespace

@@ -144,6 +144,7 @@ void LibcameraStream::stop() noexcept {
   requests_.clear();
   allocator_.reset();
   camera_->release();
+  camera_.reset();
   acquired_ = false;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
 #include <mutex>
 
 namespace onestroke {
@@ -63,9 +64,10 @@ VideoNode usb_node(const std::string& id, const fs::path& classes) {
     // Bus and port, 3-2.1:1.0, whose port libcamera makes part of its id.
     const std::string place = target_name(device);
     const std::size_t port = place.find('-');
-    std::error_code failed;
-    const bool first = fs::exists(at->path() / "index", failed);
-    if (first && port != std::string::npos && id.find(place.substr(port) + "-") != std::string::npos)
+    // The others are not of pictures.
+    int index = -1;
+    std::ifstream(at->path() / "index") >> index;
+    if (index == 0 && port != std::string::npos && id.find(place.substr(port) + "-") != std::string::npos)
       return {fs::path("/dev") / at->path().filename(), "uvcvideo"};
   }
   return {};

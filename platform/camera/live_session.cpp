@@ -1,6 +1,6 @@
 #include "camera/live_session.h"
 
-#include "camera/picture_file.h"
+#include "camera/picture_bytes.h"
 
 #include <algorithm>
 #include <cstring>

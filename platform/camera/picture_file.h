@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -17,12 +16,6 @@ struct DecodedPicture {
 /// Reads a JPEG or PNG file; storage in `out` is used again. Empty where all went well, otherwise what is wrong with
 /// the file, for a message. A file that ends early is wrong even where a decoder would fill in the rest. Never throws.
 std::string read_picture_file(const std::filesystem::path& file, DecodedPicture& out);
-
-/// Copies rows of blue, green, red to red, green, blue.
-void swap_to_rgb(const std::uint8_t* bgr, std::size_t bgr_stride, int width, int height, std::uint8_t* rgb);
-
-/// True where a JPEG stream reaches its end mark.
-bool jpeg_is_complete(std::span<const std::uint8_t> bytes);
 
 /// Names as a person sorts them: runs of digits by their value.
 bool natural_less(const std::string& a, const std::string& b);

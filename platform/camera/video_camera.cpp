@@ -1,6 +1,6 @@
 #include "camera/video_camera.h"
 
-#include "camera/picture_file.h"
+#include "camera/picture_bytes.h"
 #include "core/error.h"
 #include "core/picture_pool.h"
 
