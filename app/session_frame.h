@@ -26,12 +26,6 @@ struct SessionHeader {
   std::optional<Pose> T_head_camera{};
 };
 
-/// A picture as far as it must be known to stand in for it.
-struct PictureLens {
-  int width = 0, height = 0;  ///< Pixels; 0 before the first picture.
-  Intrinsics intrinsics;
-};
-
 /// One frame of a show. Its size is fixed, so that it can be handed on without allocation.
 struct SessionFrame {
   static constexpr std::size_t most_keys = 16, most_events = 4;
@@ -46,8 +40,5 @@ struct SessionFrame {
   InlineVector<Text, most_events> events;
   std::uint64_t missed = 0;  ///< Frames before this one that are not in the log.
 };
-
-/// As `to = from`, without what a record has room for and does not use.
-void copy_record(const FrameRecord& from, FrameRecord& to);
 
 }  // namespace onestroke

@@ -32,6 +32,11 @@ LensSource lens_of(const CameraOptions& options) {
   return lens;
 }
 
+std::unique_ptr<Camera> play(std::unique_ptr<RecordedCamera> recording, const Playback& playback) {
+  recording->play(playback);
+  return recording;
+}
+
 }  // namespace
 
 std::unique_ptr<Camera> open_camera(const CameraOptions& options) {
@@ -41,9 +46,14 @@ std::unique_ptr<Camera> open_camera(const CameraOptions& options) {
   if (options.fov_rad && !(*options.fov_rad > 0 && *options.fov_rad < std::numbers::pi)) {
     throw UsageError("a field of view lies between 0 and 180 degrees; give --fov DEG");
   }
+  const bool recording = kind == "folder" || kind == "file";
+  if (!recording && (options.playback.loop || options.playback.from.ns != 0))
+    throw UsageError("--loop and --from are for recordings, and " + options.spec + " is none: leave them out");
   if (kind == "synthetic") return open_synthetic(rest, options);
-  if (kind == "folder" && !rest.empty()) return open_folder(rest, lens_of(options), options.readout);
-  if (kind == "file" && !rest.empty()) return open_video(rest, lens_of(options), options.readout);
+  if (kind == "folder" && !rest.empty())
+    return play(open_folder(rest, lens_of(options), options.readout), options.playback);
+  if (kind == "file" && !rest.empty())
+    return play(open_video(rest, lens_of(options), options.readout), options.playback);
   throw UsageError("no camera is called \"" + options.spec +
                    "\"; give synthetic[:key=value,...], folder:DIR or file:VIDEO");
 }

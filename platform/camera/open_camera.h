@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/camera.h"
+#include "camera/recorded_camera.h"
 #include "core/head_tracker.h"
 #include "marker/catalog.h"
 
@@ -19,6 +19,7 @@ struct CameraOptions {
   std::filesystem::path calibration;  ///< OpenCV's YAML; overrides fov_rad. Empty for none.
   Duration readout;                   ///< First row to last row, top first; 0 for a global shutter.
   const Catalog* catalog = nullptr;   ///< The markers that the synthetic camera shows; read while opening only.
+  Playback playback{};                ///< How a folder or a video is played.
   HeadMount mount{};                  ///< Whose head the synthetic camera sees from; outlives the camera.
 };
 
