@@ -1,8 +1,10 @@
 #include "app/command_line.h"
 
+#include "app/argument_checks.h"
 #include "app/completion.h"
 #include "app/help_format.h"
 #include "app/help_text.h"
+#include "app/live_arguments.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -14,55 +16,10 @@ namespace {
 
 constexpr double longest_readout_ms = 1000;
 
-/// A check whose failure is a message; it adds nothing to the option's name in the help.
-CLI::Validator check(std::function<std::string(const std::string&)> test) {
-  return CLI::Validator([test = std::move(test)](std::string& text) { return test(text); }, "");
-}
-
-CLI::Validator number_between(double low, double high, const std::string& unit) {
-  return check([=](const std::string& text) -> std::string {
-    double value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-    std::ostringstream message;
-    message << "\"" << text << "\" must be a number from " << low << " to " << high << unit;
-    return message.str();
-  });
-}
-
-CLI::Validator whole_number(int low, int high) {
-  return check([=](const std::string& text) -> std::string {
-    int value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-    return "\"" + text + "\" must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-  });
-}
-
-CLI::Validator not_empty() {
-  return check([](const std::string& text) { return text.empty() ? "it must not be empty" : std::string(); });
-}
-
-/// `word`, or `word:` and more: needs[i] says whether more must, may or may not follow.
-enum class More { none, may, must };
-struct Form {
-  std::string word;
-  More more;
-};
-
-CLI::Validator one_of(std::vector<Form> forms, const std::string& spelled) {
-  return check([forms = std::move(forms), spelled](const std::string& text) -> std::string {
-    const std::size_t colon = text.find(':');
-    const bool more = colon != std::string::npos && colon + 1 < text.size();
-    for (const Form& form : forms) {
-      if (text.substr(0, colon) != form.word) continue;
-      if (more ? form.more != More::none : form.more != More::must && colon == std::string::npos) return {};
-    }
-    return "\"" + text + "\" must be " + spelled;
-  });
-}
-
 void add_camera(CLI::App& command, SourceOptions& options) {
-  const auto camera = one_of({{"synthetic", More::may}, {"file", More::must}, {"folder", More::must}},
-                             "synthetic[:KEY=VALUE,...], file:VIDEO or folder:DIR");
+  const auto camera =
+      one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
+             "synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR");
   command.add_option("--camera", options.camera, help::camera)->type_name("SPEC")->check(camera)->capture_default_str();
   auto* fov = command.add_option("--fov", options.fov_deg, help::fov)->type_name("DEG");
   fov->check(number_between(1, 170, " degrees"));
@@ -70,6 +27,7 @@ void add_camera(CLI::App& command, SourceOptions& options) {
   command.add_option("--readout-ms", options.readout_ms, help::readout)
       ->type_name("MS")
       ->check(number_between(0, longest_readout_ms, " milliseconds"));
+  add_live_arguments(command, options.live);
 }
 
 void add_frames(CLI::App& command, std::optional<int>& frames) {
@@ -251,7 +209,16 @@ void check_wait(const Program& program, const RunOptions& options) {
     refuse(program, "--wait is for a headset: give --display openxr with it, or leave it out");
 }
 
-void check_lens_known(const Program& program, const SourceOptions& options) {
+/// The command that was given, as `head` of `calibrate head`.
+const CLI::App& innermost(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
+  return *at;
+}
+
+void check_source(const Program& program, const SourceOptions& options) {
+  const std::string misplaced = misplaced_live_argument(innermost(program.app), options.camera);
+  if (!misplaced.empty()) refuse(program, misplaced);
   if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
   refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
 }
@@ -271,7 +238,7 @@ const CalibrateOptions& checked_calibrate(const Program& program) {
   if (options.catalog.empty()) refuse(program, "the markers are missing: give --catalog FILE");
   if (!options.headset.empty() && options.head_poses.empty())
     refuse(program, "--headset is for recordings, since a headset says its name: leave it out");
-  check_lens_known(program, options.source);
+  check_source(program, options.source);
   return options;
 }
 
@@ -296,7 +263,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
     return program.marker;
   }
   if (program.app.got_subcommand("track")) {
-    check_lens_known(program, program.track.source);
+    check_source(program, program.track.source);
     check_threads(program, program.track);
     return program.track;
   }
@@ -309,7 +276,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
   check_worn(program, program.run);
   check_wait(program, program.run);
   if (program.run.replay.empty())
-    check_lens_known(program, program.run.source);
+    check_source(program, program.run.source);
   else if (program.app.get_subcommand("run")->count("--camera") == 0)
     program.run.source.camera.clear();
   return program.run;

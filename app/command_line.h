@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/live_options.h"
 #include "render/world.h"
 
 #include <filesystem>
@@ -12,10 +13,11 @@ namespace onestroke {
 
 /// Where pictures come from and what is known of the lens; the camera factory reads `camera` further.
 struct SourceOptions {
-  std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], file:VIDEO or folder:DIR
+  std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR
   std::optional<double> fov_deg;      ///< Horizontal, degrees; never together with a calibration.
   std::filesystem::path calibration;  ///< OpenCV YAML; empty for none.
   std::optional<double> readout_ms;   ///< First row to last; unset where the camera says it or has a global shutter.
+  LiveOptions live;                   ///< For `libcamera` alone.
 };
 
 enum class PictureTime {

@@ -21,7 +21,8 @@ Completion: eval "$(onestroke --completion bash)")~";
 inline constexpr const char* completion = "Print a script that completes commands and options in this shell";
 
 inline constexpr const char* camera =
-    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), file:VIDEO, folder:DIR";
+    "Where pictures come from: synthetic[:KEY=VALUE,...] (made up), libcamera[:NAME] (one that is connected, by its "
+    "id, its model or a part of either), file:VIDEO, folder:DIR";
 inline constexpr const char* fov =
     "Horizontal field of view in degrees, 1 to 170: an ideal lens with square pixels, centred. Needed where there is "
     "no "
@@ -31,6 +32,19 @@ inline constexpr const char* calibration =
 inline constexpr const char* readout =
     "Rolling shutter: milliseconds from the first row's readout to the last row's, top first; 0 for a global shutter. "
     "Default: what the camera says, otherwise 0";
+inline constexpr const char* size =
+    "Size of a connected camera's pictures. Default: the one that it has nearest to 1280x720";
+inline constexpr const char* format =
+    "Format of a connected camera: nv12, yuyv, mjpeg or rgb. Default: the one that is the least work, or mjpeg where "
+    "more would not pass through USB 2";
+inline constexpr const char* rate = "Pictures a second of a connected camera, where it lets that be set";
+inline constexpr const char* exposure =
+    "Fixed exposure of a connected camera, in milliseconds: short against blur. Default: its own automatic";
+inline constexpr const char* gain = "Fixed gain of a connected camera's sensor; 1 is none";
+inline constexpr const char* white_balance = "Fixed white balance of a connected camera, in kelvin";
+inline constexpr const char* clock_offset =
+    "How many milliseconds later than the driver's time of a picture its light was gathered, negative for earlier, as "
+    "`onestroke calibrate camera --clock` measures it. Default: 0";
 inline constexpr const char* frames = "Stop after N pictures. Default: at the end of the recording, or never";
 inline constexpr const char* catalog =
     "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON";

@@ -1,5 +1,6 @@
 #include "app/source.h"
 
+#include "app/say.h"
 #include "camera/open_camera.h"
 
 #include <numbers>
@@ -12,6 +13,8 @@ std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog&
   if (options.readout_ms) camera.readout = Duration::from_ms(*options.readout_ms);
   camera.catalog = &catalog;
   camera.mount = mount;
+  camera.live = options.live;
+  camera.live.say = say;
   return open_camera(camera);
 }
 

@@ -50,7 +50,7 @@ std::size_t PicturePool::index(const Picture& picture) const noexcept {
 
 std::size_t PicturePool::lent() const noexcept {
   std::size_t sum = 0;
-  for (const Buffer& buffer : std::span(buffers_.get(), count_)) sum += buffer.lent.load(std::memory_order_relaxed);
+  for (const Buffer& buffer : std::span(buffers_.get(), count_)) sum += buffer.lent.load(std::memory_order_acquire);
   return sum;
 }
 

@@ -2,6 +2,8 @@
 
 #include "camera/folder_camera.h"
 #include "camera/lens_source.h"
+#include "camera/libcamera_source.h"
+#include "camera/live_camera.h"
 #include "camera/synthetic_camera.h"
 #include "camera/video_camera.h"
 #include "core/error.h"
@@ -50,12 +52,14 @@ std::unique_ptr<Camera> open_camera(const CameraOptions& options) {
   if (!recording && (options.playback.loop || options.playback.from.ns != 0))
     throw UsageError("--loop and --from are for recordings, and " + options.spec + " is none: leave them out");
   if (kind == "synthetic") return open_synthetic(rest, options);
+  if (kind == "libcamera")
+    return make_live_camera(make_libcamera_source(rest, options.live), lens_of(options), options.readout, options.live);
   if (kind == "folder" && !rest.empty())
     return play(open_folder(rest, lens_of(options), options.readout), options.playback);
   if (kind == "file" && !rest.empty())
     return play(open_video(rest, lens_of(options), options.readout), options.playback);
   throw UsageError("no camera is called \"" + options.spec +
-                   "\"; give synthetic[:key=value,...], folder:DIR or file:VIDEO");
+                   "\"; give synthetic[:key=value,...], libcamera[:NAME], folder:DIR or file:VIDEO");
 }
 
 }  // namespace onestroke

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/live_options.h"
 #include "camera/recorded_camera.h"
 #include "core/head_tracker.h"
 #include "marker/catalog.h"
@@ -13,18 +14,19 @@ namespace onestroke {
 
 /// Which pictures to take and what is known of the camera that takes them.
 struct CameraOptions {
-  /// `synthetic[:key=value,...]`, `folder:DIR` or `file:VIDEO`.
+  /// `synthetic[:key=value,...]`, `libcamera[:NAME]`, `folder:DIR` or `file:VIDEO`.
   std::string spec = "synthetic";
   std::optional<double> fov_rad;      ///< Horizontal field of view of an ideal lens.
   std::filesystem::path calibration;  ///< OpenCV's YAML; overrides fov_rad. Empty for none.
   Duration readout;                   ///< First row to last row, top first; 0 for a global shutter.
   const Catalog* catalog = nullptr;   ///< The markers that the synthetic camera shows; read while opening only.
+  LiveOptions live{};                 ///< For `libcamera` alone.
   Playback playback{};                ///< How a folder or a video is played.
   HeadMount mount{};                  ///< Whose head the synthetic camera sees from; outlives the camera.
 };
 
-/// Opens a camera. Folders and videos need a field of view or a calibration; the synthetic camera brings its own.
-/// Throws Error, or UsageError where the spec itself is wrong.
+/// Opens a camera. Folders, videos and live cameras need a field of view or a calibration; the synthetic camera brings
+/// its own. Throws Error, or UsageError where the spec itself is wrong.
 std::unique_ptr<Camera> open_camera(const CameraOptions& options);
 
 }  // namespace onestroke
