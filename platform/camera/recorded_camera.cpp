@@ -35,25 +35,32 @@ double RecordedCamera::period() const {
 }
 
 Camera::Status RecordedCamera::next(PictureHandle& picture) {
+  try {
+    return take(picture);
+  } catch (const std::exception& error) {
+    fail(error.what());
+    return Status::end;
+  }
+}
+
+Camera::Status RecordedCamera::take(PictureHandle& picture) {
   if (!message_.empty()) return Status::end;
   if (const std::int64_t wanted = wanted_.exchange(nowhere, std::memory_order_relaxed); wanted != nowhere) {
-    go_to(std::max(Duration{wanted} - later_, Duration{}));
     over_ = false;
+    go_to(std::max(Duration{wanted} - later_, Duration{}));
   }
   if (over_) return Status::end;
   PictureHandle::Loan* loan = pool_->acquire();
   if (!loan) return Status::busy;
-  if (!read(*loan) && !(begin_again() && read(*loan))) {
-    over_ = true;
-    pool_->give_back(*loan);
-    return Status::end;
-  }
+  PictureHandle read_one(*loan);
+  over_ = !read(*loan) && !(begin_again() && read(*loan));
+  if (over_) return Status::end;
   Picture& p = loan->picture;
   last_ = std::max(last_, p.exposure.start);
   last_number_ = std::max(last_number_, p.sequence);
   any_ = true;
   shift(p);
-  picture = PictureHandle(*loan);
+  picture = std::move(read_one);
   return Status::ok;
 }
 

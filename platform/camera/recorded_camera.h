@@ -58,6 +58,7 @@ class RecordedCamera : public Camera {
   void shift(Picture& picture) const;
 
  private:
+  Status take(PictureHandle& picture);
   bool begin_again();
 
   static constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::min();

@@ -215,6 +215,10 @@ std::uint64_t VideoStream::number() const {
   return impl_->number;
 }
 
+bool VideoStream::started() const {
+  return impl_->any;
+}
+
 Duration VideoStream::time() const {
   return {av_rescale_q(impl_->at - impl_->first, impl_->stream->time_base, nanoseconds)};
 }

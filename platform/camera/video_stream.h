@@ -25,6 +25,7 @@ class VideoStream {
   /// Of the last picture: its number from the first one on, and its own time after that one's, to the nanosecond as far
   /// as the file says it.
   std::uint64_t number() const;
+  bool started() const;  ///< next() gave a picture since the file was opened or a place was gone to.
   Duration time() const;
   /// next() goes on with the first picture that is no earlier than this. False where there is none. The first call
   /// looks through the file for the times of all its pictures.
