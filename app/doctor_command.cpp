@@ -4,12 +4,14 @@
 #include "app/doctor_report.h"
 #include "app/head_mount.h"
 #include "app/say.h"
+#include "camera/libcamera_source.h"
 #include "core/error.h"
 #include "display/headset_survey.h"
 #include "display/window.h"
 #include "marker/catalog.h"
 #include "render/gpu_survey.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
 
@@ -127,14 +129,49 @@ void look_at_displays(Findings& findings) {
   findings.push_back({.part = part, .what = "--display offscreen:DIR"});
 }
 
+Finding no_camera(const std::string& part) {
+  Finding finding{
+      .part = part, .health = Health::absent, .what = "a camera that is connected", .remedy = "plug one in"};
+  if (const std::string node = forbidden_camera(); !node.empty()) {
+    finding.what += ", for this user may not open " + node;
+    finding.remedy = "add yourself to the group video and log in again";
+  }
+  return finding;
+}
+
+/// What it is asked for without further options, and how often each picture's bytes are written before they are
+/// tracked.
+void look_at_camera(const CameraListing& camera, Findings& findings) {
+  const std::string part = "Cameras", what = "--camera libcamera:\"" + camera.model + "\", id " + camera.id;
+  if (!camera.unusable.empty())
+    return findings.push_back(finding_of(part, Health::lacking, what + ", " + camera.unusable));
+  const FormatChoice& usual = camera.usual;
+  findings.push_back({.part = part,
+                      .what = what + ", usually " + std::to_string(usual.size.width) + " x " +
+                              std::to_string(usual.size.height) + " " + usual.name + ", " +
+                              copies_words(usual.coding)});
+  std::string formats;
+  for (const OfferedFormat& format : camera.formats) {
+    formats += (formats.empty() ? "" : "; ") + format.name;
+    for (const PictureSize& size : format.sizes)
+      formats += " " + std::to_string(size.width) + "x" + std::to_string(size.height);
+  }
+  findings.push_back({.part = part, .what = camera.model + " has " + formats});
+  const bool exposure = std::ranges::find(camera.controls, "ExposureTime") != camera.controls.end();
+  findings.push_back({.part = part,
+                      .health = exposure ? Health::ok : Health::lacking,
+                      .what = camera.model + (exposure ? " lets its exposure be fixed" : " fixes no exposure"),
+                      .remedy = exposure ? "" : "use bright light, in which its automatic exposes shortly"});
+}
+
 void look_at_cameras(Findings& findings) {
   const std::string part = "Cameras";
   for (const char* spec : {"--camera synthetic", "--camera folder:DIR", "--camera file:VIDEO"})
     findings.push_back({.part = part, .what = spec});
-  findings.push_back({.part = part,
-                      .health = Health::absent,
-                      .what = "a camera that is live, which is not built into this version",
-                      .remedy = "record a video and give --camera file:VIDEO"});
+  findings.push_back({.part = part, .what = "libcamera " + libcamera_version()});
+  const std::vector<CameraListing> cameras = list_cameras();
+  if (cameras.empty()) findings.push_back(no_camera(part));
+  for (const CameraListing& camera : cameras) look_at_camera(camera, findings);
 }
 
 void look_at_catalog(Findings& findings) {

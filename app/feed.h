@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace onestroke {
 
@@ -35,7 +36,9 @@ class Feed {
   virtual std::span<const Key> keys() const { return {}; }
 
   virtual Pace pace() const = 0;
-  /// How many pictures were not shown, because others were newer.
+  /// What keeps a camera from giving pictures at this moment; empty while all is well.
+  virtual std::string_view trouble() const { return {}; }
+  /// How many pictures were not shown, because others were newer or they did not come whole.
   virtual std::uint64_t left_out() const { return 0; }
   /// Why there are no more pictures; empty at the plain end, and before it.
   virtual std::string message() const = 0;

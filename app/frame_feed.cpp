@@ -60,7 +60,9 @@ FrameFeed::Next FrameFeed::advance(Time display_time, bool (*stop)()) {
   }
   // What fades and gathers goes on while a picture stands, but not for long if no other comes.
   const bool goes_on = any_shown_ && pace_ != Pace::each;
-  const Duration standing = goes_on ? std::min(display_time - shown_since_, farthest_ahead) : Duration{};
+  const bool troubled = pace_ == Pace::newest && !trouble().empty();
+  const Duration since = display_time - shown_since_;
+  const Duration standing = !goes_on ? Duration{} : troubled ? since : std::min(since, farthest_ahead);
   now_ = std::max(now_, shown_->time + standing);
   return next;
 }
@@ -75,12 +77,24 @@ FrameFeed::Next FrameFeed::advance_newest(Time display_time) {
   });
   if (finished && next == Next::same) return Next::end;
   shown_ = tracked_.get();
+  if (next == Next::same && !trouble().empty()) {
+    lose_markers();
+    return next;
+  }
   if (mode_ == PictureTime::fresh) return show_newest(next);
   if (mode_ == PictureTime::seen && display_time > tracked_->time) {
     predict_record(*tracked_, display_time, *predicted_);
     shown_ = predicted_.get();
   }
   return next;
+}
+
+/// Nobody sees them while the camera gives no pictures.
+void FrameFeed::lose_markers() {
+  *predicted_ = *tracked_;
+  for (int i = 0; i < predicted_->marker_count; ++i)
+    predicted_->markers[static_cast<std::size_t>(i)].state = MarkerState::lost;
+  shown_ = predicted_.get();
 }
 
 /// `next` is what came out of the tracker.

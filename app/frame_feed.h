@@ -28,12 +28,16 @@ class FrameFeed final : public Feed {
   Time now() const override { return now_; }
   void hold() override { held_ = true; }
   Pace pace() const override { return pace_; }
-  std::uint64_t left_out() const override { return tracking_.pictures_dropped() + tracking_.frames_dropped(); }
+  std::string_view trouble() const override { return tracking_.trouble(); }
+  std::uint64_t left_out() const override {
+    return tracking_.pictures_dropped() + tracking_.frames_dropped() + tracking_.pictures_lost();
+  }
   std::string message() const override { return tracking_.finished() ? tracking_.message() : std::string(); }
 
  private:
   Next advance_newest(Time display_time);
   Next show_newest(Next next);
+  void lose_markers();
   Next advance_at_its_time(Time display_time);
   Next advance_each(bool (*stop)());
   bool take_pending();

@@ -4,6 +4,7 @@
 #include "app/snapshot_numbers.h"
 #include "core/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -159,6 +160,7 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   hands_.say(notice());
   FrameScene scene = hands_.update(record, parts_.feed.now(), frame.seen(), status);
   scene.fingers = fingers_;
+  scene.picture_brightness = brightness();
   if (const char asked = hands_.comparison().asked_key) asked_ = Key{asked};
   if (hands_.comparison().snapshot) take_snapshot(scene, frame.views[0]);
   if (desktop && hands_.words()) scene.gui = &hud_.lay_out(hud_words_, frame.views[0].viewport);
@@ -169,6 +171,13 @@ bool Show::draw(FrameInfo& frame, bool new_picture) {
   const bool drawn = parts_.graphics.renderer().draw(scene, frame, parts_.display);
   latency_ = latency_of(frame);
   return drawn;
+}
+
+/// A picture that stays since none comes any more fades.
+float Show::brightness() const {
+  constexpr double stays = 0.2, fades = 1, rest = 0.2;  // seconds, seconds, a share of its light
+  const double age = (parts_.feed.now() - parts_.feed.record().time).seconds() - stays;
+  return static_cast<float>(1 - (1 - rest) * std::clamp(age / fades, 0.0, 1.0));
 }
 
 // A frame that is late for once: the picture is drawn anew, in the size in which it is seen.
@@ -182,6 +191,7 @@ void Show::take_snapshot(const FrameScene& scene, const View& view) {
 }
 
 std::string_view Show::notice() const {
+  if (const std::string_view trouble = parts_.feed.trouble(); !trouble.empty()) return trouble;
   const bool recent = snapshot_at_ && parts_.feed.now() - *snapshot_at_ < noticed_for;
   return recent ? snapshots_.notice() : std::string_view();
 }

@@ -64,6 +64,7 @@ class Show {
   void write_down(bool new_picture);
   void take_snapshot(const FrameScene& scene, const View& view);
   std::string_view notice() const;
+  float brightness() const;
   void stand_at_camera(FrameInfo& frame) const;
   void measure(bool new_picture);
   std::optional<Latency> latency_of(const FrameInfo& frame) const;

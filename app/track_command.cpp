@@ -3,6 +3,7 @@
 #include "app/overlay_drawing.h"
 #include "app/pose_line.h"
 #include "app/progress.h"
+#include "app/say.h"
 #include "app/source.h"
 #include "app/track_crew.h"
 #include "core/error.h"
@@ -99,6 +100,8 @@ int track_command(const TrackOptions& options, std::ostream& out) {
         std::ranges::count_if(record.seen(), [](const MarkerObservation& m) { return m.state != MarkerState::lost; }));
     progress.say(++done, expected, ", " + std::to_string(found) + " markers found");
   });
+  if (camera->lost() > 0)
+    say(std::to_string(camera->lost()) + " of the camera's pictures did not come, or came damaged");
   if (!camera->message().empty() && !crew.stopped_early()) throw Error(camera->message());
   return 0;
 }

@@ -15,7 +15,7 @@ const float glow = 0.07, border_width = 0.006, glow_width = 0.1;
 
 void main() {
   vec2 uv = picture_at(position);
-  vec3 seen = textureLod(picture, uv, 0.0).rgb;
+  vec3 seen = textureLod(picture, uv, 0.0).rgb * scene.picture_shape.w;
   if (edge) {
     vec2 outside = max(abs(uv - 0.5) - 0.5, 0.0) * vec2(scene.picture_shape.x, 1.0);
     float far = length(outside);

@@ -83,7 +83,7 @@ struct SceneData {
   vec4 surface_grid;       // cells across, cells down, 0, 0
   vec4 picture_intrinsic;  // fx, fy, cx, cy over the picture's size
   vec4 lens_map;           // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
-  vec4 picture_shape;      // width / height; texture coordinates of the finger matte over the picture's; 0
+  vec4 picture_shape;      // width / height; texture coordinates of the finger matte over the picture's; brightness
   vec4 key_direction;      // xyz: to the light, unit
   vec4 key_color;
   vec4 matt[9];            // spherical harmonics of what a white matt surface gives back

@@ -51,6 +51,7 @@ gpu::SceneData scene_data(const FrameParts& parts) {
   std::ranges::copy(parts.balls, data.balls);
   data.picture_shape.y = parts.matte_from_picture[0];
   data.picture_shape.z = parts.matte_from_picture[1];
+  data.picture_shape.w = parts.scene.picture_brightness;
   return data;
 }
 

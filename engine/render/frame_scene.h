@@ -121,6 +121,8 @@ struct FrameScene {
   std::optional<double> passthrough_distance = 500;
   /// Best the markers' axes: there the picture and what stands on it do not slide on each other in either eye.
   std::span<const DepthSegment> passthrough_segments{};
+  /// A share of the picture's light: less than 1 dims it.
+  float picture_brightness = 1;
   /// A display that blends by itself wants no passthrough and a background of no light and no opacity: it gets
   /// premultiplied colour and its opacity (XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND), or takes the colour alone
   /// (ADDITIVE).

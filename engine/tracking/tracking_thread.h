@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace onestroke {
@@ -45,6 +46,9 @@ class TrackingThread {
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   /// Why the camera ended; empty at the plain end of a recording. After finished().
   const std::string& message() const { return message_; }
+  /// The camera's. Any thread.
+  std::string_view trouble() const { return camera_.trouble(); }
+  std::uint64_t pictures_lost() const { return camera_.lost(); }
   /// Pictures that came while the tracker was busy, and frames that came while the render loop was. Any thread.
   std::uint64_t pictures_dropped() const { return newest_.dropped(); }
   std::uint64_t frames_dropped() const { return overflow_.load(std::memory_order_relaxed); }

@@ -3,6 +3,7 @@
 #include "camera/libcamera_controls.h"
 #include "camera/libcamera_stream.h"
 #include "camera/libcamera_system.h"
+#include "camera/live_session.h"
 #include "camera/v4l2_controls.h"
 #include "core/error.h"
 
@@ -157,12 +158,31 @@ std::vector<CameraListing> list_cameras() {
       one.formats = formats_of(config->at(0).formats(), {});
     for (const auto& [id, info] : camera->controls()) one.controls.push_back(id->name());
     try {
-      choose_format(one.formats, {}, one.model);
+      one.usual = choose_format(one.formats, {}, one.model);
     } catch (const Error& error) {
       one.unusable = error.what();
     }
   }
   return list;
+}
+
+std::string forbidden_camera() {
+  return forbidden_node().string();
+}
+
+std::string copies_words(CaptureCoding coding) {
+  switch (coding) {
+    case CaptureCoding::mjpeg:
+      return "decoded once, and copied once for the GPU";
+    case CaptureCoding::bgr8:
+      return "turned from BGR once, and copied once for the GPU";
+    case CaptureCoding::nv12:
+    case CaptureCoding::yuyv:
+    case CaptureCoding::rgb8:
+      break;
+  }
+  return "copied at most once for the tracker (not where it has " + std::to_string(LiveSession::pictures) +
+         " buffers), and once for the GPU";
 }
 
 std::string libcamera_version() {

@@ -19,10 +19,15 @@ struct CameraListing {
   std::vector<OfferedFormat> formats{};
   std::vector<std::string> controls{};
   std::string unusable{};  ///< Why none of its formats will do; empty where one does.
+  FormatChoice usual{};    ///< What it is asked for where nobody wishes for anything else.
 };
 
 /// All of them. Throws Error where libcamera cannot be started.
 std::vector<CameraListing> list_cameras();
 std::string libcamera_version();
+/// A device of a camera that this user may not open; empty where there is none.
+std::string forbidden_camera();
+/// How often the bytes of a picture are written between the device and the tracker, and once more for the GPU.
+std::string copies_words(CaptureCoding coding);
 
 }  // namespace onestroke

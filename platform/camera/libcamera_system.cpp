@@ -35,9 +35,12 @@ std::shared_ptr<LibcameraSystem> LibcameraSystem::get() {
   return system;
 }
 
-LibcameraSystem::LibcameraSystem() {
-  // What matters of it is told in our words.
+// What matters of it is told in our words.
+LibcameraSystem::Quiet::Quiet() {
   if (!std::getenv("LIBCAMERA_LOG_LEVELS")) libcamera::logSetTarget(libcamera::LoggingTargetNone);
+}
+
+LibcameraSystem::LibcameraSystem() {
   if (const int failed = manager_.start(); failed != 0)
     throw Error("libcamera cannot be started: " + std::generic_category().message(-failed) +
                 "; LIBCAMERA_LOG_LEVELS=*:DEBUG makes it say more");

@@ -23,6 +23,11 @@ class LibcameraSystem {
  private:
   LibcameraSystem();
 
+  /// It speaks as soon as it is made.
+  struct Quiet {
+    Quiet();
+  };
+  const Quiet quiet_;
   libcamera::CameraManager manager_;
 };
 

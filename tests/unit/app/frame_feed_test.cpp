@@ -1,5 +1,6 @@
 #include "app/frame_feed.h"
 
+#include "camera/synthetic_camera.h"
 #include "counting_camera.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,29 @@ bool never() {
 bool always() {
   return true;
 }
+
+/// A stick that lies still, in one picture, and then a camera in trouble.
+class TroubledCamera final : public Camera {
+ public:
+  explicit TroubledCamera(const Catalog& catalog)
+      : camera_(make_synthetic_camera(parse_synthetic_options("script=still,width=640,height=480"), catalog)) {}
+
+  Status next(PictureHandle& picture) override {
+    return std::exchange(given_, true) ? Status::busy : camera_->next(picture);
+  }
+  std::string message() const override { return {}; }
+  bool live() const override { return true; }
+  double rate() const override { return 30; }
+  std::size_t length() const override { return 0; }
+  std::string_view trouble() const override { return troubled_ ? "it is unplugged" : ""; }
+  std::uint64_t lost() const override { return 3; }
+  void trouble_it(bool troubled) { troubled_ = troubled; }
+
+ private:
+  std::unique_ptr<Camera> camera_;
+  bool given_ = false;
+  std::atomic<bool> troubled_{false};
+};
 
 class FeedTest : public testing::Test {
  protected:
@@ -115,6 +139,26 @@ TEST_F(FeedTest, FreshShowsAPictureAtMostAsOldAsItsRecord) {
     shown = picture->exposure.middle();
   }
   EXPECT_EQ(shown, at_ms(1990)) << "the last picture of all";
+}
+
+TEST_F(FeedTest, WhileTheCameraIsAwayItsMarkersAreLostAndTimeGoesOn) {
+  TroubledCamera away(tracker.catalog());
+  tracking.emplace(away, tracker, TrackingThread::Pacing::newest);
+  FrameFeed feed(*tracking, FrameFeed::Pace::newest, PictureTime::exposure);
+  ASSERT_EQ(until_not_same(feed, at_ms(5000)), Next::picture);
+  ASSERT_EQ(feed.record().marker_count, 1);
+  const auto state = [&] { return feed.record().markers[0].state; };
+  EXPECT_EQ(state(), MarkerState::measured);
+  EXPECT_EQ(feed.left_out(), 3u);
+  EXPECT_EQ(feed.advance(at_ms(7000), never), Next::same);
+  EXPECT_EQ(state(), MarkerState::measured) << "a slow camera is no lost one";
+  EXPECT_EQ(feed.now() - feed.record().time, Duration::from_ms(100));
+  away.trouble_it(true);
+  EXPECT_EQ(feed.advance(at_ms(8000), never), Next::same);
+  EXPECT_EQ(feed.trouble(), "it is unplugged");
+  EXPECT_EQ(state(), MarkerState::lost);
+  EXPECT_EQ(feed.now() - feed.record().time, Duration::from_ms(3000));
+  tracking.reset();
 }
 
 TEST_F(FeedTest, WhatIsSeenThroughShowsTheTimeItIsSeenAt) {

@@ -2,7 +2,6 @@
 
 #include "camera/capture.h"
 
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -14,7 +13,10 @@ namespace onestroke::test {
 class ScriptedDevice {
  public:
   explicit ScriptedDevice(CaptureFormat format, std::size_t buffers, std::size_t bytes_each)
-      : format_(format), memory_(buffers, std::vector<std::uint8_t>(bytes_each)) {}
+      : format_(format), memory_(buffers, std::vector<std::uint8_t>(bytes_each)) {
+    free_.reserve(2 * buffers);
+    filled_.reserve(buffers);
+  }
 
   /// What start() answers from now on.
   void refuse(std::optional<CaptureSource::Refused> refused) {
@@ -30,7 +32,7 @@ class ScriptedDevice {
     if (!waker_ || free_.empty()) return false;
     Capture capture;
     capture.buffer = free_.front();
-    free_.pop_front();
+    free_.erase(free_.begin());
     std::ranges::copy(bytes, memory_[capture.buffer].begin());
     capture.bytes = bytes.size();
     capture.sequence = sequence;
@@ -80,7 +82,7 @@ class ScriptedDevice {
       const std::lock_guard lock(device_.mutex_);
       if (device_.filled_.empty()) return std::nullopt;
       const Capture capture = device_.filled_.front();
-      device_.filled_.pop_front();
+      device_.filled_.erase(device_.filled_.begin());
       return capture;
     }
     void give(std::size_t buffer) noexcept override {
@@ -139,8 +141,8 @@ class ScriptedDevice {
   const CaptureFormat format_;
   StampMoment stamped_ = StampMoment::exposure_start;
   std::vector<std::vector<std::uint8_t>> memory_;
-  std::deque<std::size_t> free_;
-  std::deque<Capture> filled_;
+  std::vector<std::size_t> free_;
+  std::vector<Capture> filled_;
   std::optional<CaptureSource::Refused> refused_;
   Waker* waker_ = nullptr;
   bool gone_ = false;
