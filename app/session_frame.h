@@ -20,7 +20,9 @@ struct SessionHeader {
   std::optional<double> fov_deg{};  ///< What was said of the lens, if anything: one of these two.
   std::string calibration{};        ///< A file by its whole path.
   std::optional<double> readout_ms{};
-  double rate = 0;  ///< Frames a second of the display's time; 0 for a screen's own.
+  bool loop = false;  ///< The camera's recording began again at its end.
+  double from_s = 0;  ///< Where it began.
+  double rate = 0;    ///< Frames a second of the display's time; 0 for a screen's own.
   bool stereo = false, fingers = true, left_handed = false;
   /// The camera's place on the wearer's head; none where no head was tracked.
   std::optional<Pose> T_head_camera{};

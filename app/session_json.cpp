@@ -57,6 +57,8 @@ std::string session_line(const SessionHeader& header) {
   if (header.fov_deg) line["fov"] = *header.fov_deg;
   if (!header.calibration.empty()) line["calibration"] = header.calibration;
   if (header.readout_ms) line["readout_ms"] = *header.readout_ms;
+  if (header.loop) line["loop"] = true;
+  if (header.from_s > 0) line["from_s"] = header.from_s;
   line["rate"] = header.rate;
   line["stereo"] = header.stereo;
   line["fingers"] = header.fingers;
@@ -107,6 +109,8 @@ SessionHeader header_of_line(const std::string& text) {
     read_optional(line, "fov", header.fov_deg);
     header.calibration = line.value("calibration", "");
     read_optional(line, "readout_ms", header.readout_ms);
+    header.loop = line.value("loop", false);
+    header.from_s = line.value("from_s", 0.0);
     line.at("rate").get_to(header.rate);
     line.at("stereo").get_to(header.stereo);
     line.at("fingers").get_to(header.fingers);

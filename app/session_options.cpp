@@ -57,6 +57,8 @@ SessionHeader session_header(const RunOptions& options, double rate, const std::
           .fov_deg = source.fov_deg,
           .calibration = whole_path(source.calibration).string(),
           .readout_ms = source.readout_ms,
+          .loop = source.playback.loop,
+          .from_s = source.playback.from.seconds(),
           .rate = rate,
           .stereo = options.stereo,
           .fingers = options.fingers,
@@ -70,6 +72,7 @@ RunOptions replay_options(const SessionHeader& header, const RunOptions& given) 
   options.source.fov_deg = header.fov_deg;
   options.source.calibration = header.calibration;
   options.source.readout_ms = header.readout_ms;
+  options.source.playback = {.loop = header.loop, .from = Duration::from_seconds(header.from_s)};
   options.catalog = header.catalog;
   options.stereo = header.stereo;
   options.fingers = header.fingers;

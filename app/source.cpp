@@ -14,6 +14,7 @@ std::unique_ptr<Camera> open_source(const SourceOptions& options, const Catalog&
   camera.catalog = &catalog;
   camera.mount = mount;
   camera.live = options.live;
+  camera.playback = options.playback;
   camera.live.say = say;
   return open_camera(camera);
 }

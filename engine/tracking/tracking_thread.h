@@ -39,8 +39,10 @@ class TrackingThread {
   PictureHandle newest_picture() { return fresh_.take(); }
 
   /// A recording goes on with the first picture that is no earlier than `time`, by its pictures' times; those that are
-  /// on their way still come. Render loop.
-  void seek(Time time) { camera_.seek(time - camera_.began()); }
+  /// on their way still come. False where the camera is no recording, or has ended. Render loop.
+  bool seek(Time time) {
+    return !camera_ended_.load(std::memory_order_acquire) && camera_.seek(time - camera_.began());
+  }
 
   /// The camera has ended and every frame has been put into the queue; drain once more after it. Any thread.
   bool finished() const { return finished_.load(std::memory_order_acquire); }

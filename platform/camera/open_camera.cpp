@@ -56,8 +56,6 @@ std::unique_ptr<Camera> open_camera(const CameraOptions& options) {
     recording->play(options.playback);
     return recording;
   }
-  if (options.playback.loop || options.playback.from.ns != 0)
-    throw UsageError("--loop and --from are for recordings, and " + options.spec + " is none: leave them out");
   if (kind == "synthetic") return open_synthetic(rest, options);
   if (kind == "libcamera")
     return make_live_camera(make_libcamera_source(rest, options.live), lens_of(options),

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "camera/live_options.h"
-#include "camera/recorded_camera.h"
+#include "camera/playback.h"
+#include "core/camera.h"
 #include "core/head_tracker.h"
 #include "marker/catalog.h"
 
@@ -22,7 +23,7 @@ struct CameraOptions {
   std::optional<Duration> readout;
   const Catalog* catalog = nullptr;  ///< The markers that the synthetic camera shows; read while opening only.
   LiveOptions live{};                ///< For `libcamera` alone.
-  Playback playback{};               ///< How a folder or a video is played.
+  Playback playback{};               ///< For folders and videos alone.
   HeadMount mount{};                 ///< Whose head the synthetic camera sees from; outlives the camera.
 };
 

@@ -25,7 +25,7 @@ std::string_view without_zeros(std::string_view digits) {
 
 }  // namespace
 
-bool read_bytes(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes) {
+bool read_whole_file(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in) return false;
   const std::streamoff size = in.tellg();
@@ -95,7 +95,7 @@ void swap_to_rgb(const std::uint8_t* bgr, std::size_t bgr_stride, int width, int
 std::string read_picture_file(const std::filesystem::path& file, DecodedPicture& out) {
   try {
     std::vector<std::uint8_t> bytes;
-    if (!read_bytes(file, bytes)) return "cannot be opened";
+    if (!read_whole_file(file, bytes)) return "cannot be opened";
     const bool jpeg = bytes.size() > 3 && bytes[0] == 0xFF && bytes[1] == 0xD8;
     if (jpeg && !jpeg_is_complete(bytes)) return "ends in the middle of the picture";
     const cv::Mat bgr = bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);

@@ -19,7 +19,7 @@ struct DecodedPicture {
 std::string read_picture_file(const std::filesystem::path& file, DecodedPicture& out);
 
 /// The whole file, into storage that is used again; false where it cannot be read.
-bool read_bytes(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes);
+bool read_whole_file(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes);
 
 /// Copies rows of blue, green, red to red, green, blue.
 void swap_to_rgb(const std::uint8_t* bgr, std::size_t bgr_stride, int width, int height, std::uint8_t* rgb);

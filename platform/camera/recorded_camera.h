@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera/playback.h"
 #include "core/camera.h"
 #include "core/picture_pool.h"
 
@@ -9,12 +10,6 @@
 #include <optional>
 
 namespace onestroke {
-
-/// How a recording is played.
-struct Playback {
-  bool loop = false;  ///< Begins again at its end; times and numbers go on growing.
-  Duration from;      ///< Where it begins, after the recording's first picture.
-};
 
 /// What recordings have in common as cameras: seven buffers, seeking, and beginning again at the end.
 class RecordedCamera : public Camera {

@@ -38,8 +38,8 @@ Picture copied(const Picture& from, std::uint8_t* buffer) {
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& folder, const RecordingHeader& header, const Catalog& catalog,
-                   std::function<void()> before_writing)
-    : writer_(folder, header, catalog), before_writing_(std::move(before_writing)) {
+                   RecorderListeners listeners)
+    : writer_(folder, header, catalog), listeners_(std::move(listeners)) {
   writing_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "recording");
     write_until(stop);
@@ -149,7 +149,7 @@ void Recorder::write(const CopiedPicture& copied) {
     ++left_out_;
     return;
   }
-  if (before_writing_) before_writing_();
+  if (listeners_.writes) listeners_.writes();
   if (copied.missed > 0) writer_.leave_out(copied.missed);
   Picture picture = copied.picture;
   if (copied.pair) picture.second = &copied.second;
@@ -161,6 +161,7 @@ void Recorder::fail(const char* why) noexcept {
   if (failing_.exchange(true)) return;
   try {
     failure_ = "the recording ends early: " + std::string(why);
+    if (listeners_.failed) listeners_.failed(failure_);
   } catch (const std::exception&) {
     // Without its words a failure is one all the same.
   }

@@ -27,6 +27,14 @@ struct CopiedPicture {
   std::uint64_t missed = 0;
 };
 
+/// Who hears of a recorder.
+struct RecorderListeners {
+  /// Once and on a thread of the recorder's: why the recording ended before the tracking.
+  std::function<void(const std::string&)> failed{};
+  /// On the writing thread, before each picture; for tests.
+  std::function<void()> writes{};
+};
+
 /// Records what is tracked, beside it. The tracking thread only hands pictures on: it neither waits nor allocates. One
 /// thread copies them, so that the camera soon has its buffers again, of which two at most are held, and another one
 /// writes them. Where the recording cannot be written any further it ends, and the tracking does not.
@@ -35,10 +43,9 @@ class Recorder final : public FrameSink {
   /// How many pictures may wait to be written.
   static constexpr std::size_t waiting = 8;
 
-  /// Throws Error as RecordingWriter does. before_writing: called on the writing thread before each picture, for tests;
-  /// may be empty.
+  /// Throws Error as RecordingWriter does.
   Recorder(const std::filesystem::path& folder, const RecordingHeader& header, const Catalog& catalog,
-           std::function<void()> before_writing = {});
+           RecorderListeners listeners = {});
   ~Recorder() override;
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -64,7 +71,7 @@ class Recorder final : public FrameSink {
   void fail(const char* why) noexcept;
 
   RecordingWriter writer_;
-  const std::function<void()> before_writing_;
+  const RecorderListeners listeners_;
   SpscQueue<LentPicture> lent_{2};
   SpscQueue<CopiedPicture> copied_{waiting};
   std::uint64_t missed_ = 0;  // the tracking thread's

@@ -130,7 +130,7 @@ class RecordingCamera final : public RecordedCamera {
   }
 
   std::string read_jpeg(const StoredPicture& stored, const Picture& p, std::uint8_t* bytes) {
-    if (!read_bytes(folder_ / stored.file, jpeg_)) return "cannot be opened";
+    if (!read_whole_file(folder_ / stored.file, jpeg_)) return "cannot be opened";
     const auto result = stored.format == PixelFormat::rgb8
                             ? decoder_.decode(jpeg_, {p.width, p.height}, bytes, p.strides[0])
                             : JpegDecoder::Result::damaged;

@@ -231,7 +231,9 @@ bool VideoStream::go_to(Duration time) {
     return av_rescale_q(when - m.first, m.stream->time_base, nanoseconds) >= time.ns;
   });
   if (wanted == m.times.end() && !m.times.empty()) {
-    m.ended = true;
+    m.ended = m.any = true;
+    m.number = m.times.size() - 1;
+    m.at = m.times.back();
     return false;
   }
   // Containers find the place by other times than those of the pictures, and a little early is right, too.

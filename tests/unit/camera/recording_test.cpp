@@ -258,7 +258,7 @@ TEST_F(Recording, ADiskThatStandsStillLeavesPicturesOutAndHoldsNoBuffers) {
   std::promise<void> go_on;
   const std::shared_future<void> gate = go_on.get_future().share();
   PicturePool pool(4, 3 * 64 * 48);
-  Recorder recorder(folder_, header_, two_markers(), [gate] { gate.wait(); });
+  Recorder recorder(folder_, header_, two_markers(), {.failed = {}, .writes = [gate] { gate.wait(); }});
   std::uint64_t refused = 0;
   constexpr std::uint64_t offered = 60;
   for (std::uint64_t i = 0; i < offered; ++i) {

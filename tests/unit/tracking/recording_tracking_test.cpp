@@ -189,7 +189,7 @@ TEST_F(RecordedTracking, ADiskThatStandsStillHoldsNobodyBack) {
   std::promise<void> go_on;
   const std::shared_future<void> gate = go_on.get_future().share();
   const auto camera = synthetic("script=still,live=1,fps=60,seconds=1", Form::rgb8);
-  Recorder recorder(folder_, header_, catalog_, [gate] { gate.wait(); });
+  Recorder recorder(folder_, header_, catalog_, {.failed = {}, .writes = [gate] { gate.wait(); }});
   const std::vector<FrameRecord> live = track(*camera, catalog_, &recorder, Pacing::newest);
   ASSERT_GT(live.size(), Recorder::waiting + 1) << "so many wait, and one is being written";
   go_on.set_value();
