@@ -119,7 +119,7 @@ bool FramePixels::convert(const AVFrame& frame, std::uint8_t* rgb) {
     return true;
   }
   scaler_ = sws_getCachedContext(scaler_, width_, height_, plain(frame.format), width_, height_, AV_PIX_FMT_RGB24,
-                                 SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr);
+                                 SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr);
   if (!scaler_) return false;
   const int* matrix = sws_getCoefficients(frame.colorspace);
   sws_setColorspaceDetails(scaler_, matrix, full_range(frame), sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, 1 << 16,
