@@ -21,8 +21,11 @@ TEST_P(LiveAllocation, NothingOnceWarm) {
   const Catalog catalog = catalog_of(3);
   std::vector<std::vector<std::uint8_t>> pictures;
   PictureSize size;
-  for (const double angle : {0.40, 0.42, 0.44, 0.42}) {
-    const Shot shot = shoot({{&catalog.markers[1], about_middle(exp_so3({0.3, -0.2, angle}), {0, 0, 420})}});
+  constexpr int round = 12;
+  for (int i = 0; i < round; ++i) {
+    const double phase = 2 * std::numbers::pi * i / round;
+    const Quat turn = exp_so3({0.1 * std::sin(phase), 0, 0.1 * std::cos(phase)}) * exp_so3({0.3, -0.2, 0.4});
+    const Shot shot = shoot({{&catalog.markers[1], about_middle(turn, {4 * std::cos(phase), 0, 420})}});
     const Picture picture = shot.picture(0);
     size = {picture.width, picture.height};
     pictures.push_back(coded(picture.planes[0], size, coding));
@@ -32,13 +35,15 @@ TEST_P(LiveAllocation, NothingOnceWarm) {
   Tracker tracker(catalog);
   TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::newest);
   std::size_t got = 0, measured = 0;
+  const Time began = Time::now();
   long before = 0;
   constexpr std::uint64_t warm = 130, all = 260;
+  constexpr Duration period = Duration::from_ms(33);
   for (std::uint64_t i = 0; i < all; ++i) {
     // What the tracker's first threads and the sending itself need is no part of it.
     if (i == warm) before = allocations_of_all_threads();
     const long sending = allocations_of_this_thread();
-    ASSERT_TRUE(device.send(pictures[i % pictures.size()], i, Time::now().ns));
+    ASSERT_TRUE(device.send(pictures[i % pictures.size()], i, (began + static_cast<std::int64_t>(i) * period).ns));
     before += allocations_of_this_thread() - sending;
     const std::size_t expected = got + 1;
     for (const Time end = Time::now() + Duration::from_seconds(10); got < expected && Time::now() < end;) {
