@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 namespace onestroke {
@@ -65,9 +64,8 @@ class FolderCamera final : public RecordedCamera {
   }
 
   bool go_to(Duration after_start) override {
-    const auto after = [&](std::size_t i) { return time_of(i) - Time{} < after_start; };
-    const auto all = std::views::iota(std::size_t{0}, names_.size());
-    next_ = static_cast<std::size_t>(std::ranges::partition_point(all, after) - all.begin());
+    next_ = 0;
+    while (next_ < names_.size() && time_of(next_) - Time{} < after_start) ++next_;
     return next_ < names_.size();
   }
 

@@ -89,7 +89,7 @@ TEST_F(ReplayFeedTest, GoesBackWhereTheSessionDid) {
   CountingCamera camera(153);
   ReplayFeed feed(session);
   feed.use(&camera);
-  for (const std::uint64_t i : {0, 1, 150, 151, 152, 145, 146, 2, 3, 140}) {
+  for (const std::uint64_t i : {0u, 1u, 150u, 151u, 152u, 145u, 146u, 2u, 3u, 140u}) {
     ASSERT_EQ(feed.advance({}, never), Next::picture);
     EXPECT_EQ(feed.take_picture()->sequence, i);
   }

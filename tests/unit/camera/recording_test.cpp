@@ -62,7 +62,7 @@ TEST_F(Recording, GivesEveryFormatBackBitForBit) {
     std::filesystem::remove_all(folder_);
     std::vector<PictureHandle> taken;
     Recorder recorder(folder_, header_, two_markers());
-    for (const std::uint64_t sequence : {17, 18, 21, 40}) {
+    for (const std::uint64_t sequence : {17u, 18u, 21u, 40u}) {
       taken.push_back(album_.noise(format, 54, 38, sequence));
       album_.of(taken.back()).intrinsics.cx += sequence == 21 ? 0.25 : 0;
       album_.of(taken.back()).source = sequence == 18 ? "a \"b\",\"record\":.png" : "";
@@ -190,7 +190,7 @@ TEST_F(Recording, EndedByForceIsWholeUpToItsLastLine) {
   const std::string lines = text_of("pictures.jsonl");
   std::size_t end = 0;
   for (int i = 0; i < 4; ++i) end = lines.find('\n', end) + 1;
-  for (const std::size_t more : {0, 1, 200, 700}) {
+  for (const std::size_t more : {0u, 1u, 200u, 700u}) {
     std::ofstream(folder_ / "pictures.jsonl", std::ios::binary) << lines.substr(0, end + more);
     const auto camera = open();
     EXPECT_EQ(camera->length(), 4u) << more;

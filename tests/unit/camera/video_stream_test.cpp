@@ -81,7 +81,7 @@ TEST_F(VideoKinds, AreEnteredAnywhere) {
       if (std::string(codec) == "mjpeg") kind.pixels = AV_PIX_FMT_YUVJ420P;
       write_video(folder_ / name, kind, times);
       const auto camera = open(folder_ / name);
-      for (const std::size_t wanted : {41, 40, 3, 0, 59, 12, 13, 25, 24}) {
+      for (const std::size_t wanted : {41u, 40u, 3u, 0u, 59u, 12u, 13u, 25u, 24u}) {
         // Between the picture before and this one.
         const std::int64_t at = wanted == 0 ? -5 : (times[wanted - 1] + times[wanted] + 1) / 2;
         EXPECT_TRUE(camera->seek(Duration::from_ms(static_cast<double>(at))));
