@@ -1,6 +1,7 @@
 // What is recorded comes back as it was. Run under ThreadSanitizer too.
 
 #include "../core/full_disk.h"
+#include "allocation/allocation_counter.h"
 #include "camera/jpeg_decoder.h"
 #include "camera/open_camera.h"
 #include "recording_fixture.h"
@@ -243,6 +244,17 @@ TEST_F(Recording, AFullDiskEndsItAndNothingElse) {
   const auto camera = open();
   EXPECT_EQ(camera->length(), recorder->written());
   for (std::size_t i = 0; i < recorder->written(); ++i) EXPECT_EQ(take(*camera)->sequence, i);
+}
+
+TEST_F(Recording, WhoeverTracksAllocatesNothing) {
+  Recorder recorder(folder_, header_, two_markers());
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const PictureHandle picture = album_.noise(PixelFormat::rgb8, 64, 48, i);
+    const FrameRecord found = found_in(*picture);
+    const long before = allocations_of_this_thread();
+    while (!recorder.add(picture, found)) std::this_thread::yield();
+    EXPECT_EQ(allocations_of_this_thread(), before);
+  }
 }
 
 TEST_F(Recording, OtherSizesEndIt) {

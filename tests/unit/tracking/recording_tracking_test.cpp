@@ -122,8 +122,11 @@ void expect_same(const FrameRecord& a, const FrameRecord& b) {
     EXPECT_EQ(std::memcmp(&m.covariance, &n.covariance, sizeof m.covariance), 0);
     EXPECT_EQ(std::memcmp(&m.velocity, &n.velocity, sizeof m.velocity), 0);
     ASSERT_EQ(m.cells_seen, n.cells_seen);
-    for (std::size_t c = 0; c < static_cast<std::size_t>(m.cells_seen); ++c)
-      EXPECT_EQ(std::memcmp(&m.cells[c], &n.cells[c], sizeof(CellCentre)), 0);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(m.cells_seen); ++c) {
+      EXPECT_EQ(m.cells[c].index, n.cells[c].index);
+      EXPECT_EQ(m.cells[c].u, n.cells[c].u);
+      EXPECT_EQ(m.cells[c].v, n.cells[c].v);
+    }
   }
 }
 
@@ -188,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Of, RecordedForms, testing::Values(Form::rgb8, Form::nv
 TEST_F(RecordedTracking, ADiskThatStandsStillHoldsNobodyBack) {
   std::promise<void> go_on;
   const std::shared_future<void> gate = go_on.get_future().share();
-  const auto camera = synthetic("script=still,live=1,fps=60,seconds=1", Form::rgb8);
+  const auto camera = synthetic("script=still,live=1,fps=60,seconds=2", Form::rgb8);
   Recorder recorder(folder_, header_, catalog_, {.failed = {}, .writes = [gate] { gate.wait(); }});
   const std::vector<FrameRecord> live = track(*camera, catalog_, &recorder, Pacing::newest);
   ASSERT_GT(live.size(), Recorder::waiting + 1) << "so many wait, and one is being written";
