@@ -46,6 +46,16 @@ void add_second_camera(CLI::App& command, SourceOptions& options) {
       ->excludes(rig);
 }
 
+void add_recording(CLI::App& command, SourceOptions& options, std::filesystem::path& record) {
+  command.add_flag("--loop", options.playback.loop, help::loop);
+  command
+      .add_option_function<double>(
+          "--from", [&options](double s) { options.playback.from = Duration::from_seconds(s); }, help::from)
+      ->type_name("S")
+      ->check(number_between(0, 1e6, " seconds"));
+  command.add_option("--record", record, help::record)->type_name("DIR")->check(not_empty());
+}
+
 void add_frames(CLI::App& command, std::optional<int>& frames) {
   command.add_option("--frames", frames, help::frames)->type_name("N")->check(whole_number(1, 2'000'000'000));
 }
@@ -92,6 +102,7 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->type_name("S")
       ->check(number_between(1e-3, 1e6, " seconds"));
   run.add_option("--head-camera", options.head_camera, help::head_camera)->type_name("FILE")->check(not_empty());
+  add_recording(run, options.source, options.record);
   run.add_option("--log", options.log, help::log)->type_name("FILE|none")->check(not_empty());
   auto* replay = run.add_option("--replay", options.replay, help::replay)->type_name("FILE")->check(not_empty());
   for (const char* fixed : {"--fov", "--calibration", "--readout-ms", "--world", "--stereo", "--no-fingers",
@@ -107,6 +118,7 @@ void add_track(CLI::App& program, TrackOptions& options) {
   track.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE")->required();
   track.add_option("--output", options.output, help::track_output)->type_name("FILE.jsonl");
   track.add_option("--overlay", options.overlay, help::overlay)->type_name("DIR");
+  add_recording(track, options.source, options.record);
   track.add_flag("--independent", options.independent, help::independent);
   track.add_option("--threads", options.threads, help::threads)
       ->type_name("N")
@@ -271,10 +283,21 @@ void check_source(const Program& program, const SourceOptions& options) {
   const std::string misplaced = misplaced_live_argument(innermost(program.app), options.camera);
   if (!misplaced.empty()) refuse(program, misplaced);
   check_pair(program, options);
+  const bool recording = options.camera.starts_with("file:") || options.camera.starts_with("folder:");
+  if (!recording && (options.playback.loop || options.playback.from.ns != 0))
+    refuse(program, "--loop and --from are for recordings, and " + options.camera + " is none: leave them out");
   if (options.fov_deg || !options.calibration.empty() || !options.rig.empty()) return;
+  // A folder may be a recording that knows its lens.
   for (const std::string& camera : {options.camera, options.second_camera})
-    if (!camera.empty() && !camera.starts_with("synthetic"))
+    if (!camera.empty() && !camera.starts_with("synthetic") && !camera.starts_with("folder:"))
       refuse(program, "the lens of " + camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
+}
+
+void check_replay(const Program& program) {
+  if (program.run.replay.empty()) return;
+  for (const char* known : {"--head-camera", "--loop", "--from", "--record"})
+    if (program.app.get_subcommand("run")->count(known) > 0)
+      refuse(program, std::string(known) + " is for new sessions, and a log is shown as it is: leave it out");
 }
 
 void check_worn(const Program& program, const RunOptions& options) {
@@ -337,8 +360,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
   if (program.app.got_subcommand("doctor")) return program.doctor;
   if (!program.app.got_subcommand("run"))
     refuse(program, "a command is missing: run, track, marker, calibrate or doctor");
-  if (!program.run.replay.empty() && !program.run.head_camera.empty())
-    refuse(program, "--head-camera is for new sessions, since a log knows it: leave it out");
+  check_replay(program);
   check_worn(program, program.run);
   check_wait(program, program.run);
   if (program.run.replay.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "camera/live_options.h"
+#include "camera/playback.h"
 #include "render/world.h"
 
 #include <filesystem>
@@ -18,6 +19,7 @@ struct SourceOptions {
   std::filesystem::path calibration;    ///< OpenCV YAML; empty for none.
   std::optional<double> readout_ms;     ///< First row to last; unset where the camera says it or has a global shutter.
   LiveOptions live;                     ///< For `libcamera` alone.
+  Playback playback;                    ///< For `file` and `folder` alone.
   std::string second_camera{};          ///< The right eye's, as `camera`; empty for none.
   bool side_by_side = false;            ///< `camera` shows both eyes' pictures beside each other.
   std::filesystem::path rig{};          ///< How two cameras sit: OpenCV's stereo calibration, or
@@ -48,6 +50,7 @@ struct RunOptions {
   PictureTime mode = PictureTime::exposure;
   std::optional<int> frames;      ///< Stop after so many pictures.
   std::optional<double> seconds;  ///< Stop after so long.
+  std::filesystem::path record;   ///< A new folder for what the camera saw and what was found; empty for none.
   std::string log;                ///< A file for the session's log, or none; empty for where it usually goes.
   /// The log of a session to be shown again, whose camera is taken where `source` names none; empty for a new session.
   std::filesystem::path replay;
@@ -60,6 +63,7 @@ struct TrackOptions {
   std::filesystem::path catalog;
   std::filesystem::path output;   ///< JSON lines; empty for standard output.
   std::filesystem::path overlay;  ///< Folder for pictures with the poses drawn in; empty for none.
+  std::filesystem::path record;   ///< A new folder for what the camera saw and what was found; empty for none.
   bool independent = false;       ///< Each picture alone, no memory.
   int threads = 1;
   std::optional<int> frames;

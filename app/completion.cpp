@@ -12,7 +12,7 @@ constexpr const char* values = R"(  case "$prev" in
     --world) COMPREPLY=($(compgen -W "auto camera alpha additive passthrough" -- "$cur")); return ;;
     --mode) COMPREPLY=($(compgen -W "exposure fresh" -- "$cur")); return ;;
     --completion) COMPREPLY=($(compgen -W "bash" -- "$cur")); return ;;
-    --overlay) COMPREPLY=($(compgen -d -- "$cur")); return ;;
+    --overlay | --record) COMPREPLY=($(compgen -d -- "$cur")); return ;;
     --catalog | --calibration | --rig | --output | --log | --replay | --head-camera | --head-poses | :) COMPREPLY=($(compgen -f -- "${cur#:}")); return ;;
   esac
 )";

@@ -28,10 +28,13 @@ class Feed {
   /// Of the last Next::picture; empty once it has been taken.
   virtual PictureHandle take_picture() = 0;
   virtual const FrameRecord& record() const = 0;
-  /// The time that the frame shows, in the record's time; does not go back.
+  /// The time that the frame shows, in the record's time until a recording goes on elsewhere; neither goes back nor
+  /// leaps there.
   virtual Time now() const = 0;
   /// A pause: a recording goes on as if no time had passed.
   virtual void hold() = 0;
+  /// A recording that is shown at its time goes on so much later, or earlier; others do not mind.
+  virtual void skip(Duration) {}
   /// Keys that belong to this frame besides the display's own.
   virtual std::span<const Key> keys() const { return {}; }
 

@@ -15,6 +15,8 @@ constexpr Duration farthest_ahead = Duration::from_ms(100);
 constexpr Duration late = Duration::from_ms(100);
 // Less than half a screen's refresh.
 constexpr Duration near_enough = Duration::from_ms(4);
+// More pictures than the camera, the tracker and the queues between them hold.
+constexpr int most_on_their_way = 16;
 
 }  // namespace
 
@@ -63,7 +65,7 @@ FrameFeed::Next FrameFeed::advance(Time display_time, bool (*stop)()) {
   const bool troubled = pace_ == Pace::newest && !trouble().empty();
   const Duration since = display_time - shown_since_;
   const Duration standing = !goes_on ? Duration{} : troubled ? since : std::min(since, farthest_ahead);
-  now_ = std::max(now_, shown_->time + standing);
+  now_ = std::max(now_, shown_->time + standing + now_ahead_);
   return next;
 }
 
@@ -135,12 +137,33 @@ FrameFeed::Next FrameFeed::advance_each(bool (*stop)()) {
   }
 }
 
+void FrameFeed::skip(Duration by) {
+  if (pace_ != Pace::at_its_time || !any_shown_) return;
+  const Time to = (skip_ ? skip_->to : tracked_->time) + by;
+  if (!tracking_.seek(to)) return;
+  skip_ = {.from = tracked_->time, .to = to};
+  pending_any_ = false;
+  pending_picture_.reset();
+}
+
+/// Whether a picture of this time comes from where the recording is to go on, rather than was on its way already.
+bool FrameFeed::skipped_to(Time time) {
+  const bool there = skip_->to < skip_->from ? time <= skip_->from : time >= skip_->to;
+  if (!there && skip_->passed_over++ < most_on_their_way) return false;
+  now_ahead_ = now_ - time;
+  held_ = true;
+  skip_.reset();
+  return true;
+}
+
 bool FrameFeed::take_pending() {
   const auto take = [&](TrackedFrame& frame) {
     *pending_ = frame.record;
     pending_picture_ = std::move(frame.picture);
   };
-  pending_any_ = tracking_.drain(take, 1) > 0;
+  do {
+    pending_any_ = tracking_.drain(take, 1) > 0;
+  } while (pending_any_ && skip_ && !skipped_to(pending_->time));
   return pending_any_;
 }
 

@@ -6,6 +6,7 @@
 #include "tracking/tracking_thread.h"
 
 #include <memory>
+#include <optional>
 
 namespace onestroke {
 
@@ -27,6 +28,7 @@ class FrameFeed final : public Feed {
   const FrameRecord& record() const override { return *shown_; }
   Time now() const override { return now_; }
   void hold() override { held_ = true; }
+  void skip(Duration by) override;
   Pace pace() const override { return pace_; }
   std::string_view trouble() const override { return tracking_.trouble(); }
   std::uint64_t left_out() const override {
@@ -41,6 +43,7 @@ class FrameFeed final : public Feed {
   Next advance_at_its_time(Time display_time);
   Next advance_each(bool (*stop)());
   bool take_pending();
+  bool skipped_to(Time time);
   Next show_pending();
 
   TrackingThread& tracking_;
@@ -52,6 +55,13 @@ class FrameFeed final : public Feed {
   bool pending_any_ = false, any_shown_ = false, held_ = true;
   Time began_display_, began_record_;  // The same moment on both clocks.
   Time now_, shown_since_;
+  Duration now_ahead_;  // of the record's time
+  // On the way to another place of the recording.
+  struct Skip {
+    Time from, to;
+    int passed_over = 0;
+  };
+  std::optional<Skip> skip_;
 };
 
 }  // namespace onestroke

@@ -3,41 +3,17 @@
 #include "app/cache_folder.h"
 #include "core/error.h"
 #include "core/kept_file.h"
+#include "files/record_json.h"
 
-#include <nlohmann/json.hpp>
-
-#include <array>
-#include <cmath>
 #include <string_view>
 
 namespace onestroke {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* mounts_key = "headsets";
 constexpr std::uint64_t longest_file = 1 << 24;
-
-/// Where it may be no unit quaternion, or no number at all.
-Pose pose_of(const Json& list) {
-  std::array<double, 7> n{};
-  if (!list.is_array() || list.size() != n.size()) throw Error("T_head_camera must have 7 numbers");
-  for (std::size_t i = 0; i < n.size(); ++i) n[i] = list[i].get<double>();
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3]);
-  if (std::abs(length - 1) > 1e-3) throw Error("T_head_camera must begin with a unit quaternion");
-  return {normalized(Quat{n[0], n[1], n[2], n[3]}), {n[4], n[5], n[6]}};
-}
-
-Json pose_value(const Pose& p) {
-  const Quat& q = p.rotation;
-  const Vec3& t = p.translation;
-  return {q.w, q.x, q.y, q.z, t.x, t.y, t.z};
-}
-
-Json vector_value(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
 
 /// The synthetic camera is one camera, whatever it is told to show.
 std::string camera_name(const std::string& spec) {
@@ -79,7 +55,7 @@ Json load(const fs::path& file) {
 HeadCameraMount mount_of(const Json& entry, const fs::path& file) {
   const std::string how = entry.contains("date") ? "calibrated " + entry["date"].get<std::string>().substr(0, 10)
                                                  : entry.value("note", std::string("given"));
-  return {.T_head_camera = pose_of(entry.at("T_head_camera")), .from = how + ", " + file.string()};
+  return {.T_head_camera = unit_pose_of(entry.at("T_head_camera")), .from = how + ", " + file.string()};
 }
 
 std::optional<HeadCameraMount> find_in(const fs::path& file, const std::string& headset, const std::string& camera,
@@ -122,10 +98,6 @@ void write(const fs::path& file, const std::string& text) {
     throw Error(file.string() + " cannot be written: check that you may write there and that the disk is not full");
 }
 
-std::string text_of(const Json& value) {
-  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 fs::path mounts_file() {
@@ -144,7 +116,7 @@ std::optional<HeadCameraMount> find_mount(const std::string& headset, const std:
 }
 
 std::string to_json(const MountReport& report) {
-  return text_of(value_of(report));
+  return text_of(value_of(report), 2) + "\n";
 }
 
 void write_mount(const fs::path& file, const MountReport& report) {
@@ -165,7 +137,7 @@ void keep_mount(const MountReport& report) {
     kept.push_back(value_of(report));
     all = Json{{mounts_key, std::move(kept)}};
   });
-  write(file, text_of(all));
+  write(file, text_of(all, 2) + "\n");
 }
 
 }  // namespace onestroke

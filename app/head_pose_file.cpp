@@ -2,24 +2,15 @@
 
 #include "app/pose_line.h"
 #include "core/error.h"
-
-#include <nlohmann/json.hpp>
+#include "files/record_json.h"
 
 #include <fstream>
 
 namespace onestroke {
 namespace {
 
-using Json = nlohmann::json;
-
 // Between poses that are farther apart nobody knows.
 constexpr std::int64_t widest_gap_ns = 200'000'000;
-
-Pose pose_of(const Json& list) {
-  if (list.size() != 7) throw Error("T_world_head must have 7 numbers");
-  const auto n = list.get<std::array<double, 7>>();
-  return {normalized(Quat{n[0], n[1], n[2], n[3]}), {n[4], n[5], n[6]}};
-}
 
 }  // namespace
 
@@ -32,7 +23,7 @@ HeadPoseFile::HeadPoseFile(const std::filesystem::path& file) {
     if (text.empty()) continue;
     try {
       const Json line = Json::parse(text);
-      const Pose pose = pose_of(line.at("T_world_head"));
+      const Pose pose = unit_pose_of(line.at("T_world_head"));
       if (const auto image = line.find("image"); image != line.end())
         by_name_[image->get<std::string>()] = pose;
       else

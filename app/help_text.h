@@ -26,7 +26,7 @@ inline constexpr const char* camera =
 inline constexpr const char* fov =
     "Horizontal field of view in degrees, 1 to 170: an ideal lens with square pixels, centred. Needed where there is "
     "no "
-    "calibration, except by the synthetic camera, which knows its own";
+    "calibration, except by the synthetic camera and by what --record wrote, which know their own";
 inline constexpr const char* calibration =
     "Calibration of the lens, with distortion, as OpenCV writes it; instead of --fov";
 inline constexpr const char* readout =
@@ -60,6 +60,11 @@ inline constexpr const char* white_balance = "Fixed white balance of a connected
 inline constexpr const char* clock_offset =
     "How many milliseconds later than the driver's time of a picture its light was gathered, negative for earlier, as "
     "`onestroke calibrate camera --clock` measures it. Default: 0";
+inline constexpr const char* loop = "Recordings: begin again at the end; the pictures' times and numbers go on growing";
+inline constexpr const char* from = "Recordings: begin S seconds after the first picture. Default: 0";
+inline constexpr const char* record =
+    "Record the pictures as they came, their times and what was found in them into this new folder, whose README.txt "
+    "explains it; --camera folder:DIR plays it again";
 inline constexpr const char* frames = "Stop after N pictures. Default: at the end of the recording, or never";
 inline constexpr const char* catalog =
     "The markers: a catalogue made by `onestroke marker import`, or its exchange JSON";
@@ -113,6 +118,8 @@ inline constexpr const char* run_examples = R"(Examples:
   onestroke run --camera synthetic:script=overlay,fingers=1
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
   onestroke run --second-camera synthetic --baseline-mm 64 --stereo --display offscreen:pair --frames 60
+  onestroke run --camera libcamera --fov 62 --catalog markers.db --record session
+  onestroke run --camera folder:session --catalog session/catalog.json --loop
   onestroke run --replay session.jsonl --display offscreen:again
 
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
@@ -122,7 +129,7 @@ Keys in a window, that beside a headset too: L links the two models, mirrors the
 other, B by their best fit or by their own frames; C cuts one by the other's stick; M measures; F freezes a model; P
 saves a snapshot; I shows what is known of the models; X exchanges the hands; H hides words and figures; R puts the
 world's origin where a headset's head is; N opens and closes a menu of all this, Tab goes on in it and Enter picks;
-Space pauses; Q or Escape ends.
+Space pauses; the left and right arrows go 5 seconds back and ahead in a recording; Q or Escape ends.
 
 Without a keyboard: cross the start arms of both sticks until the ring is full, then hold a red tip before what is to be
 picked. A headset's controllers: left trigger goes on, right one picks, either opens the menu. Hands without sticks: thumb
@@ -140,6 +147,7 @@ inline constexpr const char* track_examples = R"(Examples:
   onestroke track --camera folder:booth --fov 35 --catalog markers.db --independent --output booth.jsonl
   onestroke track --camera file:turntable.mkv --fov 35 --readout-ms 50 --catalog markers.json --overlay drawn
   onestroke track --camera folder:left --second-camera folder:right --rig stereo.yml --catalog markers.db
+  onestroke track --camera folder:session --catalog session/catalog.json --output again.jsonl
 
 Each line: {"image", "time_ns", "ms", "markers": [{"id", "name", "R", "rvec", "t", "covariance", "cells_seen", "state",
 "cell_centres"}]}. A pose maps marker to camera: p_camera = R p_marker + t; t in millimetres, rvec in radians; camera axes

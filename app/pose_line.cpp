@@ -1,13 +1,11 @@
 #include "app/pose_line.h"
 
-#include <nlohmann/json.hpp>
+#include "files/record_json.h"
 
 #include <cmath>
 
 namespace onestroke {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json numbers(Vec3 v) {
   return {v.x, v.y, v.z};
@@ -48,11 +46,6 @@ Json object(const MarkerObservation& marker) {
 
 }  // namespace
 
-const char* word_of(MarkerState state) {
-  constexpr const char* words[] = {"measured", "predicted", "lost"};
-  return words[static_cast<int>(state)];
-}
-
 std::string picture_name(const Picture& picture) {
   if (*picture.source != '\0') return picture.source;
   std::string digits = std::to_string(picture.sequence);
@@ -67,7 +60,7 @@ std::string pose_line(const Picture& picture, const FrameRecord& record) {
                   {"time_ns", record.time.ns},
                   {"ms", std::round(record.cost.ms() * 1e3) / 1e3},
                   {"markers", std::move(markers)}};
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text_of(line);
 }
 
 }  // namespace onestroke

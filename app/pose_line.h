@@ -7,9 +7,6 @@
 
 namespace onestroke {
 
-/// As files have it.
-const char* word_of(MarkerState state);
-
 /// What a picture is called in files: what its camera calls it, otherwise its number.
 std::string picture_name(const Picture& picture);
 

@@ -11,6 +11,8 @@ namespace {
 
 // As dark as a room without a lamp, so that models before it can be told from nothing.
 constexpr std::uint8_t darkness = 24;
+// By how much a record's time is after its picture's first light, at most.
+constexpr Duration longest_exposure = Duration::from_seconds(1);
 // One that is shown, one that is on its way, and one to spare.
 constexpr std::size_t dark_buffers = 3;
 
@@ -50,11 +52,13 @@ void ReplayFeed::take_keys() {
 
 PictureHandle ReplayFeed::find_picture(bool (*stop)()) {
   const std::uint64_t wanted = frame_->record.sequence;
-  while (camera_ && seen_ <= wanted) {
+  if (camera_ && wanted + 1 < seen_) go_back();
+  while (camera_ && !camera_over_ && seen_ <= wanted) {
     ahead_.reset();
     const Camera::Status status = camera_->next(ahead_);
     if (status == Camera::Status::ok) seen_ = ahead_->sequence + 1;
-    if (status == Camera::Status::end || stop()) camera_ = nullptr;
+    if (status == Camera::Status::end) camera_over_ = true;
+    if (stop()) camera_ = nullptr;
     if (status == Camera::Status::busy) std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   const bool found = ahead_ && ahead_->sequence == wanted;
@@ -64,6 +68,14 @@ PictureHandle ReplayFeed::find_picture(bool (*stop)()) {
     if (frame_->second.width > 0) ahead_.set_T_world_second(T_world_first * frame_->second.T_first_second);
   }
   return found ? std::move(ahead_) : PictureHandle();
+}
+
+/// Somebody went back in a recording, and so does the camera: to a little before the record's picture.
+void ReplayFeed::go_back() {
+  if (!camera_->seek(frame_->record.time - longest_exposure - camera_->began())) return;
+  ahead_.reset();
+  seen_ = 0;
+  camera_over_ = false;
 }
 
 PictureHandle ReplayFeed::dark_picture() {

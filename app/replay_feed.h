@@ -38,11 +38,13 @@ class ReplayFeed final : public Feed, public HeadTracker {
  private:
   const SessionFrame* next_frame();
   PictureHandle find_picture(bool (*stop)());
+  void go_back();
   PictureHandle dark_picture();
   void take_keys();
 
   SessionReader& session_;
   Camera* camera_ = nullptr;
+  bool camera_over_ = false;
   const SessionFrame* frame_ = nullptr;  // the reader's
   const FrameRecord none_{};
   std::map<std::pair<int, int>, PicturePool> dark_;  // By width and height; outlives the handles below.

@@ -5,6 +5,7 @@
 #include "app/head_mount.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/recording.h"
 #include "app/replay_feed.h"
 #include "app/say.h"
 #include "app/session_options.h"
@@ -200,6 +201,20 @@ void finish(SessionLog& log, bool asked_for, std::ostream& out) {
     say(log.failure());
 }
 
+/// Returns why there are no more pictures; empty where they simply ended, or the show did.
+std::string track_and_play(Stage& stage, Camera& camera, Recorder* recorder, SessionLog* log, const RunOptions& options,
+                           std::ostream& out) {
+  const ShowLimits limits = limits_for(options, camera, stage.offscreen);
+  StereoTracker tracker(stage.catalog);
+  const Feed::Pace pace = pace_for(camera, stage.offscreen);
+  TrackingThread tracking(camera, tracker,
+                          pace == Feed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every,
+                          recorder);
+  FrameFeed feed(tracking, pace, stage.display->shows_world() ? PictureTime::seen : options.mode);
+  play(stage, {feed, limits, pictures_expected(limits, camera), log}, options, out);
+  return feed.message();
+}
+
 int run_live(RunOptions options, std::ostream& out) {
   Stage stage = prepare(options);
   options.source = source_for(options.source, stage.offscreen);
@@ -207,23 +222,20 @@ int run_live(RunOptions options, std::ostream& out) {
   const std::unique_ptr<Camera> camera = open_worn_source(options.source, stage.catalog, mount);
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
   open(stage, options, rate);
-  const ShowLimits limits = limits_for(options, *camera, stage.offscreen);
 
   catch_interrupt();
   const std::unique_ptr<SessionLog> log = open_session_log(
       options, stage.spec,
       session_header(options, stage.offscreen ? rate : 0,
                      mount.head && camera->live() ? std::optional(mount.T_head_camera) : std::nullopt));
-  StereoTracker tracker(stage.catalog);
-  const Feed::Pace pace = pace_for(*camera, stage.offscreen);
-  TrackingThread tracking(*camera, tracker,
-                          pace == Feed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);
-  FrameFeed feed(tracking, pace, stage.display->shows_world() ? PictureTime::seen : options.mode);
-  play(stage, {feed, limits, pictures_expected(limits, *camera), log.get()}, options, out);
+  const std::unique_ptr<Recorder> recorder =
+      open_recorder(options.record, options.source, *camera, stage.catalog, options.catalog);
+  const std::string ended = track_and_play(stage, *camera, recorder.get(), log.get(), options, out);
+  if (recorder) out << finish(*recorder) << '\n';
   if (log) finish(*log, !options.log.empty(), out);
   end_output(out);
-  if (!feed.message().empty()) throw Error(feed.message());
-  return 0;
+  if (!ended.empty()) throw Error(ended);
+  return recorder && !recorder->failure().empty() ? 1 : 0;
 }
 
 int run_again(const RunOptions& given, std::ostream& out) {

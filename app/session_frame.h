@@ -24,19 +24,15 @@ struct SessionHeader {
   bool side_by_side = false;
   std::string rig{};  ///< A file by its whole path: how two cameras sit, by this or the next.
   std::optional<double> baseline_mm{};
-  double rate = 0;  ///< Frames a second of the display's time; 0 for a screen's own.
+  bool loop = false;  ///< The camera's recording began again at its end.
+  double from_s = 0;  ///< Where it began.
+  double rate = 0;    ///< Frames a second of the display's time; 0 for a screen's own.
   bool stereo = false, fingers = true, left_handed = false;
   /// The camera's place on the wearer's head; none where no head was tracked.
   std::optional<Pose> T_head_camera{};
 };
 
-/// A picture as far as it must be known to stand in for it.
-struct PictureLens {
-  int width = 0, height = 0;  ///< Pixels; 0 before the first picture.
-  Intrinsics intrinsics;
-};
-
-/// The same of the second picture of a pair; of no size where there is none.
+/// A picture's size and lens, and where the second one of a pair was taken; of no size where there is none.
 struct SecondLens : PictureLens {
   Pose T_first_second;  ///< With the head's motion between the two exposures.
 };
@@ -56,8 +52,5 @@ struct SessionFrame {
   InlineVector<Text, most_events> events;
   std::uint64_t missed = 0;  ///< Frames before this one that are not in the log.
 };
-
-/// As `to = from`, without what a record has room for and does not use.
-void copy_record(const FrameRecord& from, FrameRecord& to);
 
 }  // namespace onestroke

@@ -61,6 +61,8 @@ SessionHeader session_header(const RunOptions& options, double rate, const std::
           .side_by_side = source.side_by_side,
           .rig = whole_path(source.rig).string(),
           .baseline_mm = source.baseline_mm,
+          .loop = source.playback.loop,
+          .from_s = source.playback.from.seconds(),
           .rate = rate,
           .stereo = options.stereo,
           .fingers = options.fingers,
@@ -86,6 +88,7 @@ RunOptions replay_options(const SessionHeader& header, const RunOptions& given) 
           "the session was one camera's, so its log does not say where a second one sits: leave "
           "--second-camera out");
   }
+  options.source.playback = {.loop = header.loop, .from = Duration::from_seconds(header.from_s)};
   options.catalog = header.catalog;
   options.stereo = header.stereo;
   options.fingers = header.fingers;

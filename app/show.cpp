@@ -15,6 +15,8 @@ namespace {
 
 // How long the wearer is told where a snapshot went.
 constexpr Duration noticed_for = Duration::from_seconds(3);
+// By a key, in a recording.
+constexpr Duration skipped = Duration::from_seconds(5);
 
 void stand(View& view, const Pose& T_world_camera, const PictureLens& lens) {
   view.T_world_view = T_world_camera;
@@ -101,6 +103,8 @@ bool Show::press(Key key) {
   if (const int character = static_cast<int>(key); character < 128) hands_.press(static_cast<char>(character));
   if (key == Key{'h'}) hands_.toggle_words();
   if (key == Key{'r'}) parts_.display.recentre();
+  if (key == Key::left) parts_.feed.skip(-skipped);
+  if (key == Key::right) parts_.feed.skip(skipped);
   if (key == Key::space) {
     paused_ = !paused_;
     parts_.feed.hold();

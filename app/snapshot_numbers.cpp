@@ -1,15 +1,11 @@
 #include "app/snapshot_numbers.h"
 
-#include "app/pose_line.h"
-
-#include <nlohmann/json.hpp>
+#include "files/record_json.h"
 
 #include <algorithm>
 
 namespace onestroke {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json numbers(Vec3 v) {
   return {v.x, v.y, v.z};
@@ -94,7 +90,7 @@ std::string snapshot_numbers(const Catalog& catalog, const FrameRecord& record, 
   if (compared.mode.tool == Tool::section) json["cutting_hand"] = name_of(compared.pointer);
   if (compared.measure.count > 0) json["measured"] = measured(compared.measure);
   if (difference) json["difference"] = difference_of(*difference);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(json, 2) + "\n";
 }
 
 }  // namespace onestroke

@@ -20,6 +20,7 @@ CameraOptions first_camera(const SourceOptions& options, const Catalog& catalog,
   camera.catalog = &catalog;
   camera.mount = mount;
   camera.live = options.live;
+  camera.playback = options.playback;
   camera.live.say = say;
   return camera;
 }

@@ -1,8 +1,10 @@
 #include "app/track_command.h"
 
+#include "app/interrupt.h"
 #include "app/overlay_drawing.h"
 #include "app/pose_line.h"
 #include "app/progress.h"
+#include "app/recording.h"
 #include "app/say.h"
 #include "app/source.h"
 #include "app/track_crew.h"
@@ -89,7 +91,15 @@ int track_command(const TrackOptions& options, std::ostream& out) {
   const std::size_t expected = pictures_expected(*camera, options.frames);
   std::size_t done = 0, found = 0;
 
-  TrackCrew crew(*camera, catalog, {.independent = options.independent}, options.threads, options.frames);
+  const std::unique_ptr<Recorder> recorder =
+      open_recorder(options.record, options.source, *camera, catalog, options.catalog);
+  TrackCrew crew(*camera, catalog, {.independent = options.independent}, options.threads, options.frames,
+                 recorder.get());
+  if (recorder) {
+    // So that it is whole.
+    catch_interrupt();
+    crew.stop_when(interrupted);
+  }
   const auto describe = [&](const Picture& picture, const FrameRecord& record) {
     overlay.add(picture, catalog, record);
     return pose_line(picture, record);
@@ -100,10 +110,11 @@ int track_command(const TrackOptions& options, std::ostream& out) {
         std::ranges::count_if(record.seen(), [](const MarkerObservation& m) { return m.state != MarkerState::lost; }));
     progress.say(++done, expected, ", " + std::to_string(found) + " markers found");
   });
+  if (recorder) say(finish(*recorder));
   if (camera->lost() > 0)
     say(std::to_string(camera->lost()) + " of the camera's pictures did not come, or came damaged");
   if (!camera->message().empty() && !crew.stopped_early()) throw Error(camera->message());
-  return 0;
+  return recorder && !recorder->failure().empty() ? 1 : 0;
 }
 
 }  // namespace onestroke

@@ -11,12 +11,13 @@
 namespace onestroke {
 
 TrackCrew::TrackCrew(Camera& camera, Catalog catalog, const TrackerOptions& options, int threads,
-                     std::optional<int> most_pictures)
+                     std::optional<int> most_pictures, FrameSink* sink)
     : camera_(camera),
       catalog_(std::move(catalog)),
       options_(options),
       threads_(threads),
-      most_pictures_(most_pictures) {}
+      most_pictures_(most_pictures),
+      sink_(sink) {}
 
 void TrackCrew::run(const Describe& describe, const Deliver& deliver) {
   {
@@ -30,7 +31,8 @@ void TrackCrew::run(const Describe& describe, const Deliver& deliver) {
 bool TrackCrew::take(PictureHandle& picture, std::uint64_t& turn) {
   std::unique_lock lock(mutex_);
   while (!over_) {
-    if (most_pictures_ && taken_ == static_cast<std::uint64_t>(*most_pictures_)) {
+    const bool enough = most_pictures_ && taken_ == static_cast<std::uint64_t>(*most_pictures_);
+    if (enough || (asked_to_stop_ && asked_to_stop_())) {
       over_ = stopped_early_ = true;
       break;
     }
@@ -54,16 +56,26 @@ void TrackCrew::work(const Describe& describe, const Deliver& deliver) {
     for (std::uint64_t turn = 0; take(picture, turn);) {
       tracker.process(*picture, *record);
       const std::string line = describe(*picture, *record);
-      picture.reset();
+      if (!sink_) picture.reset();
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [&] { return delivered_ == turn || failure_; });
       if (failure_) return;
+      if (sink_) hand_to_sink(picture, *record);
+      picture.reset();
       deliver(line, *record);
       ++delivered_;
       changed_.notify_all();
     }
   } catch (...) {
     fail();
+  }
+}
+
+/// Under the lock, so that one thread at a time does it.
+void TrackCrew::hand_to_sink(const PictureHandle& picture, const FrameRecord& record) {
+  while (!sink_->add(picture, record)) {
+    if (camera_.live()) return sink_->leave_out();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 

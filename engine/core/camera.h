@@ -48,6 +48,8 @@ class Camera {
   /// A recording goes on with the first picture that is no earlier than this after its start. Any thread; heeded by the
   /// next call of next(). False where the camera is no recording.
   virtual bool seek(Duration) { return false; }
+  /// When a recording's first picture was taken, by its pictures' times.
+  virtual Time began() const { return {}; }
   /// The truth beside a picture, where it is known; valid as long as the picture is held.
   virtual std::span<const TrueMarker> truth(const Picture&) const { return {}; }
 };

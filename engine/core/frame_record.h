@@ -54,4 +54,7 @@ struct FrameRecord {
   std::span<const MarkerObservation> seen() const { return {markers.data(), static_cast<std::size_t>(marker_count)}; }
 };
 
+/// As `to = from`, without what a record has room for and does not use.
+void copy_record(const FrameRecord& from, FrameRecord& to);
+
 }  // namespace onestroke

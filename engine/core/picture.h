@@ -27,6 +27,12 @@ struct Intrinsics {
   bool distorted() const { return distortion != std::array<double, 5>{}; }
 };
 
+/// A picture as far as it must be known to stand in for it.
+struct PictureLens {
+  int width = 0, height = 0;  ///< Pixels; 0 before the first picture.
+  Intrinsics intrinsics;
+};
+
 /// When the light of a picture was gathered. Row v of height H is exposed from start + v/(H-1) * readout to that +
 /// length.
 struct Exposure {

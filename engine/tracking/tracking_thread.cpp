@@ -15,8 +15,8 @@ void pause() {
 
 }  // namespace
 
-TrackingThread::TrackingThread(Camera& camera, PictureTracker& tracker, Pacing pacing)
-    : camera_(camera), tracker_(tracker), pacing_(pacing) {
+TrackingThread::TrackingThread(Camera& camera, PictureTracker& tracker, Pacing pacing, FrameSink* sink)
+    : camera_(camera), tracker_(tracker), pacing_(pacing), sink_(sink) {
   camera_thread_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "camera");
     take_pictures(stop);
@@ -69,6 +69,16 @@ PictureHandle TrackingThread::next_picture(const std::stop_token& stop) {
   return picture;
 }
 
+void TrackingThread::hand_to_sink(const std::stop_token& stop, const PictureHandle& picture,
+                                  const FrameRecord& record) {
+  if (!sink_ || sink_->add(picture, record)) return;
+  while (pacing_ == Pacing::every && !stop.stop_requested()) {
+    pause();
+    if (sink_->add(picture, record)) return;
+  }
+  sink_->leave_out();
+}
+
 void TrackingThread::publish(const std::stop_token& stop, PictureHandle picture, const FrameRecord& record) {
   const auto write = [&](TrackedFrame& f) {
     f.picture = std::move(picture);
@@ -90,6 +100,7 @@ void TrackingThread::track(const std::stop_token& stop) {
   while (PictureHandle picture = next_picture(stop)) {
     tracker_.process(*picture, *record);
     record->tracked = Time::now();
+    hand_to_sink(stop, picture, *record);
     publish(stop, std::move(picture), *record);
   }
   finished_.store(true, std::memory_order_release);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
+#include "core/frame_sink.h"
 #include "core/latest_exchange.h"
 #include "core/spsc_queue.h"
 #include "core/tracked_frame.h"
@@ -20,8 +21,9 @@ class TrackingThread {
  public:
   enum class Pacing { newest, every };
 
-  /// Starts at once. Camera and tracker must outlive this object and are its own until it goes.
-  TrackingThread(Camera& camera, PictureTracker& tracker, Pacing pacing);
+  /// Starts at once. Camera, tracker and sink must outlive this object and are its own until it goes. The sink hears of
+  /// every frame before the render loop does; it is waited for where every picture counts.
+  TrackingThread(Camera& camera, PictureTracker& tracker, Pacing pacing, FrameSink* sink = nullptr);
   /// Stops both threads and gives every picture back.
   ~TrackingThread();
   TrackingThread(const TrackingThread&) = delete;
@@ -35,6 +37,12 @@ class TrackingThread {
   }
   /// Render loop, `fresh` mode: the newest picture, tracked or not, if one came since the last call.
   PictureHandle newest_picture() { return fresh_.take(); }
+
+  /// A recording goes on with the first picture that is no earlier than `time`, by its pictures' times; those that are
+  /// on their way still come. False where the camera is no recording, or has ended. Render loop.
+  bool seek(Time time) {
+    return !camera_ended_.load(std::memory_order_acquire) && camera_.seek(time - camera_.began());
+  }
 
   /// The camera has ended and every frame has been put into the queue; drain once more after it. Any thread.
   bool finished() const { return finished_.load(std::memory_order_acquire); }
@@ -51,11 +59,13 @@ class TrackingThread {
   void take_pictures(const std::stop_token& stop);
   void track(const std::stop_token& stop);
   PictureHandle next_picture(const std::stop_token& stop);
+  void hand_to_sink(const std::stop_token& stop, const PictureHandle& picture, const FrameRecord& record);
   void publish(const std::stop_token& stop, PictureHandle picture, const FrameRecord& record);
 
   Camera& camera_;
   PictureTracker& tracker_;
   const Pacing pacing_;
+  FrameSink* const sink_;
   LatestExchange<PictureHandle> newest_, fresh_;
   SpscQueue<PictureHandle> pictures_{2};
   SpscQueue<TrackedFrame> frames_{4};

@@ -47,7 +47,7 @@ std::string sizes_of(std::span<const OfferedFormat> offered, const std::string& 
     for (const PictureSize& size : format.sizes) sizes.emplace_back(size.width, size.height);
   }
   std::ranges::sort(sizes);
-  sizes.erase(std::ranges::unique(sizes).begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   std::string words;
   for (const auto& [width, height] : sizes)
     words += (words.empty() ? "" : ", ") + std::to_string(width) + "x" + std::to_string(height);

@@ -4,6 +4,7 @@
 #include "camera/lens_source.h"
 #include "camera/libcamera_source.h"
 #include "camera/live_camera.h"
+#include "camera/recording_camera.h"
 #include "camera/synthetic_camera.h"
 #include "camera/video_camera.h"
 #include "core/error.h"
@@ -16,7 +17,7 @@ namespace {
 std::unique_ptr<Camera> open_synthetic(const std::string& settings, const CameraOptions& options) {
   SyntheticOptions synthetic = parse_synthetic_options(settings);
   if (!options.catalog) throw Error("camera synthetic shows markers of a catalogue; give --catalog FILE");
-  if (!synthetic.readout_ms && options.readout.ns != 0) synthetic.readout_ms = options.readout.ms();
+  if (!synthetic.readout_ms && options.readout) synthetic.readout_ms = options.readout->ms();
   if (options.fov_rad) synthetic.fov_deg = *options.fov_rad * 180 / std::numbers::pi;
   std::optional<Intrinsics> lens;
   if (options.lens) {
@@ -31,10 +32,17 @@ LensSource lens_of(const CameraOptions& options) {
   if (options.lens) return *options.lens;
   LensSource lens(options.calibration, options.fov_rad);
   if (!lens.known()) {
-    throw Error("camera " + options.spec +
-                ": the field of view is not known; give --fov DEG or --calibration FILE.yaml");
+    throw UsageError("camera " + options.spec +
+                     ": the field of view is not known; give --fov DEG or --calibration FILE.yaml");
   }
   return lens;
+}
+
+std::unique_ptr<RecordedCamera> open_files(bool video, const std::string& path, const CameraOptions& options) {
+  if (!video && is_recording(path))
+    return open_recording(path, LensSource(options.calibration, options.fov_rad), options.readout);
+  const Duration readout = options.readout.value_or(Duration{});
+  return video ? open_video(path, lens_of(options), readout) : open_folder(path, lens_of(options), readout);
 }
 
 }  // namespace
@@ -46,11 +54,15 @@ std::unique_ptr<Camera> open_camera(const CameraOptions& options) {
   if (options.fov_rad && !(*options.fov_rad > 0 && *options.fov_rad < std::numbers::pi)) {
     throw UsageError("a field of view lies between 0 and 180 degrees; give --fov DEG");
   }
+  if ((kind == "folder" || kind == "file") && !rest.empty()) {
+    auto recording = open_files(kind == "file", rest, options);
+    recording->play(options.playback);
+    return recording;
+  }
   if (kind == "synthetic") return open_synthetic(rest, options);
   if (kind == "libcamera")
-    return make_live_camera(make_libcamera_source(rest, options.live), lens_of(options), options.readout, options.live);
-  if (kind == "folder" && !rest.empty()) return open_folder(rest, lens_of(options), options.readout);
-  if (kind == "file" && !rest.empty()) return open_video(rest, lens_of(options), options.readout);
+    return make_live_camera(make_libcamera_source(rest, options.live), lens_of(options),
+                            options.readout.value_or(Duration{}), options.live);
   throw UsageError("no camera is called \"" + options.spec +
                    "\"; give synthetic[:key=value,...], libcamera[:NAME], folder:DIR or file:VIDEO");
 }

@@ -25,7 +25,9 @@ std::string_view without_zeros(std::string_view digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size()));
 }
 
-bool read_all(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes) {
+}  // namespace
+
+bool read_whole_file(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in) return false;
   const std::streamoff size = in.tellg();
@@ -34,8 +36,6 @@ bool read_all(const std::filesystem::path& file, std::vector<std::uint8_t>& byte
   in.seekg(0);
   return static_cast<bool>(in.read(reinterpret_cast<char*>(bytes.data()), size));
 }
-
-}  // namespace
 
 bool natural_less(const std::string& a, const std::string& b) {
   std::size_t i = 0, j = 0;
@@ -60,7 +60,7 @@ bool natural_less(const std::string& a, const std::string& b) {
 std::string read_picture_file(const std::filesystem::path& file, DecodedPicture& out) {
   try {
     std::vector<std::uint8_t> bytes;
-    if (!read_all(file, bytes)) return "cannot be opened";
+    if (!read_whole_file(file, bytes)) return "cannot be opened";
     const bool jpeg = bytes.size() > 3 && bytes[0] == 0xFF && bytes[1] == 0xD8;
     if (jpeg && !jpeg_is_complete(bytes)) return "ends in the middle of the picture";
     const cv::Mat bgr = bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);

@@ -17,6 +17,9 @@ struct DecodedPicture {
 /// the file, for a message. A file that ends early is wrong even where a decoder would fill in the rest. Never throws.
 std::string read_picture_file(const std::filesystem::path& file, DecodedPicture& out);
 
+/// The whole file, into storage that is used again; false where it cannot be read.
+bool read_whole_file(const std::filesystem::path& file, std::vector<std::uint8_t>& bytes);
+
 /// Names as a person sorts them: runs of digits by their value.
 bool natural_less(const std::string& a, const std::string& b);
 

@@ -1,57 +1,30 @@
 #include "display/film.h"
 
 #include "core/error.h"
+#include "files/libav.h"
 
-#include <array>
 #include <string>
 
 extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
 #include <libavutil/opt.h>
-#include <libswscale/swscale.h>
 }
 
 namespace onestroke {
 
-namespace {
-
-struct Free {
-  void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
-  void operator()(AVFrame* p) const { av_frame_free(&p); }
-  void operator()(AVPacket* p) const { av_packet_free(&p); }
-  void operator()(SwsContext* p) const { sws_freeContext(p); }
-  void operator()(AVFormatContext* p) const {
-    avio_closep(&p->pb);
-    avformat_free_context(p);
-  }
-};
-template <typename T>
-using Held = std::unique_ptr<T, Free>;
-
-}  // namespace
-
 struct Film::Impl {
   std::string name;
   int width = 0, height = 0;  // of the pictures given, which may be odd
-  Held<AVFormatContext> format;
-  Held<AVCodecContext> codec;
-  Held<AVFrame> frame;
-  Held<AVPacket> packet;
-  Held<SwsContext> scaler;
+  HeldAv<AVFormatContext> format;
+  HeldAv<AVCodecContext> codec;
+  HeldAv<AVFrame> frame;
+  HeldAv<AVPacket> packet;
+  HeldAv<SwsContext> scaler;
   AVStream* stream = nullptr;
   bool finished = false;
 
-  int check(int result) const {
-    if (result >= 0) return result;
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-    av_strerror(result, text.data(), text.size());
-    throw Error("cannot write " + name + ": " + text.data());
-  }
-  template <typename T>
-  T* check(T* made) const {
-    if (!made) check(AVERROR(ENOMEM));
-    return made;
+  template <typename Result>
+  auto check(Result result) const {
+    return check_written(result, name);
   }
 
   void open_codec(double rate);
@@ -110,9 +83,7 @@ void Film::Impl::drain() {
     av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
     packet->stream_index = stream->index;
     check(av_interleaved_write_frame(format.get(), packet.get()));
-    // The file's buffer hides a full disk until it is flushed.
-    avio_flush(format->pb);
-    check(format->pb->error);
+    flush_written(*format, name);
   }
 }
 

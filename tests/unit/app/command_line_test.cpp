@@ -326,14 +326,36 @@ TEST(CommandLine, RefusalsNameTheThing) {
   EXPECT_THAT(refusal("marker"), HasSubstr("import, export, list or show"));
 }
 
-TEST(CommandLine, EveryCameraButTheSyntheticNeedsItsLensKnown) {
-  for (const std::string command : {"run", "track --catalog c.db"})
-    for (const std::string camera : {"file:a.mp4", "folder:a"}) {
+TEST(CommandLine, ALensMustBeKnown) {
+  for (const std::string command : {"run", "track --catalog c.db"}) {
+    for (const std::string camera : {"file:a.mp4", "libcamera"}) {
       const std::string line = command + " --camera " + camera;
       EXPECT_THAT(refusal(line), AllOf(HasSubstr("--fov DEG or --calibration FILE.yaml"), HasSubstr(camera)));
       EXPECT_EQ(refusal(line + " --fov 35"), "accepted");
       EXPECT_EQ(refusal(line + " --calibration lens.yaml"), "accepted");
     }
+    EXPECT_EQ(refusal(command + " --camera folder:a"), "accepted") << "it may be a recording, which knows its lens";
+  }
+}
+
+TEST(CommandLine, RecordingsAreMadeAndPlayed) {
+  for (const std::string line : {"run --camera folder:a --loop --from 2.5 --record b",
+                                 "track --catalog c.db --camera folder:a --loop --from 2.5 --record b"}) {
+    const Command command = parse(line);
+    const bool run = std::holds_alternative<RunOptions>(command);
+    const SourceOptions& source = run ? std::get<RunOptions>(command).source : std::get<TrackOptions>(command).source;
+    EXPECT_TRUE(source.playback.loop);
+    EXPECT_EQ(source.playback.from, Duration::from_ms(2500));
+    EXPECT_EQ(run ? std::get<RunOptions>(command).record : std::get<TrackOptions>(command).record, "b");
+  }
+  EXPECT_FALSE(parsed<RunOptions>("run").source.playback.loop);
+  EXPECT_EQ(parsed<RunOptions>("run").record, "");
+  for (const char* line : {"run --loop", "run --camera libcamera --fov 60 --from 1", "track --catalog c.db --from 1"})
+    EXPECT_THAT(refusal(line), HasSubstr("--loop and --from are for recordings"));
+  EXPECT_THAT(refusal("run --camera folder:a --from -1"), HasSubstr("from 0 to 1e+06 seconds"));
+  for (const std::string known : {"--loop", "--from 1", "--record a", "--head-camera a.json"})
+    EXPECT_THAT(refusal("run --replay a.jsonl " + known),
+                HasSubstr(known.substr(0, known.find(' ')) + " is for new sessions"));
 }
 
 TEST(CommandLine, HelpTeaches) {
@@ -392,8 +414,9 @@ TEST(CommandLine, CompletesInBash) {
   EXPECT_EQ(offered("onestroke calibrate ''", 2), "head camera --help");
   EXPECT_EQ(offered("onestroke calibrate head --head", 3), "--head-poses --headset");
   EXPECT_EQ(offered("onestroke doctor --j", 2), "--json");
-  EXPECT_EQ(offered("onestroke run --gp", 2), "--gpu");
+  EXPECT_EQ(offered("onestroke run --g", 2), "--gain --gpu");
   EXPECT_EQ(offered("onestroke run --no-m", 2), "--no-mirror");
+  EXPECT_EQ(offered("onestroke track --re", 2), "--readout-ms --record");
   EXPECT_EQ(offered("onestroke run --mode f", 3), "fresh");
   EXPECT_EQ(offered("onestroke run --camera f", 3), "file: folder:");
   EXPECT_EQ(offered("onestroke run --camera file : /etc/host", 5).substr(0, 9), "/etc/host");

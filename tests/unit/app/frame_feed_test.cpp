@@ -90,6 +90,37 @@ TEST_F(FeedTest, WaitingForAPictureCanBeStopped) {
   tracking.reset();
 }
 
+TEST_F(FeedTest, ARecordingIsEnteredAnywhere) {
+  start(2000, TrackingThread::Pacing::every);  // a picture every 10 ms
+  FrameFeed feed(*tracking, FrameFeed::Pace::at_its_time, PictureTime::exposure);
+  feed.skip(Duration::from_seconds(5));
+  Time display = at_ms(1000);
+  const auto show_next = [&] {
+    display = display + Duration::from_ms(10);
+    const Time before = feed.now();
+    EXPECT_EQ(until_not_same(feed, display), Next::picture);
+    EXPECT_TRUE(feed.take_picture());
+    EXPECT_GE(feed.now(), before) << "it never goes back";
+    EXPECT_LE(feed.now(), before + Duration::from_ms(20)) << "and never leaps";
+    return feed.record().sequence;
+  };
+  EXPECT_EQ(show_next(), 0u) << "before the first picture there is nowhere to go from";
+  EXPECT_EQ(show_next(), 1u);
+  feed.skip(Duration::from_seconds(5));
+  EXPECT_EQ(show_next(), 501u);
+  EXPECT_EQ(show_next(), 502u);
+  feed.skip(Duration::from_seconds(5));
+  feed.skip(Duration::from_seconds(5));
+  EXPECT_EQ(show_next(), 1502u) << "twice is twice as far";
+  feed.skip(-Duration::from_seconds(5));
+  EXPECT_EQ(show_next(), 1002u);
+  feed.skip(-Duration::from_seconds(15));
+  EXPECT_EQ(show_next(), 0u) << "no farther than to its start";
+  for (std::uint64_t i = 1; i < 30; ++i) EXPECT_EQ(show_next(), i) << "at its own pace again";
+  feed.skip(Duration::from_seconds(60));
+  EXPECT_EQ(until_not_same(feed, display), Next::end);
+}
+
 TEST_F(FeedTest, ARecordingComesAtItsOwnPace) {
   start(6, TrackingThread::Pacing::every);  // a picture every 10 ms
   FrameFeed feed(*tracking, FrameFeed::Pace::at_its_time, PictureTime::exposure);

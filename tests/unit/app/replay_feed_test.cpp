@@ -29,6 +29,7 @@ class ReplayFeedTest : public test::FolderTest {
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         FrameRecord record;
         record.sequence = numbers[i];
+        record.time = Time{} + static_cast<std::int64_t>(numbers[i]) * Duration::from_ms(10);
         record.T_world_camera.translation = {1, 2, 3};
         log.add(record, Time{++frame}, i == 0 || numbers[i] != numbers[i - 1], lens);
       }
@@ -81,6 +82,18 @@ TEST_F(ReplayFeedTest, DarkPicturesStandForThoseThatTheCameraLacks) {
   EXPECT_EQ(held->planes[0][3 * 32 * 24 - 1], held->planes[0][0]);
   EXPECT_EQ(held->T_world_camera.translation, (Vec3{1, 2, 3})) << "where the head was";
   EXPECT_EQ(feed.dark_pictures(), 4u);
+}
+
+TEST_F(ReplayFeedTest, GoesBackWhereTheSessionDid) {
+  SessionReader session = log_of({0, 1, 150, 151, 152, 145, 146, 2, 3, 140});
+  CountingCamera camera(153);
+  ReplayFeed feed(session);
+  feed.use(&camera);
+  for (const std::uint64_t i : {0u, 1u, 150u, 151u, 152u, 145u, 146u, 2u, 3u, 140u}) {
+    ASSERT_EQ(feed.advance({}, never), Next::picture);
+    EXPECT_EQ(feed.take_picture()->sequence, i);
+  }
+  EXPECT_EQ(feed.dark_pictures(), 0u);
 }
 
 TEST_F(ReplayFeedTest, NeedsNoCamera) {

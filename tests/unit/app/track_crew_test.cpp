@@ -48,6 +48,40 @@ TEST(TrackCrew, GetsByWithFewerBuffersThanThreads) {
   EXPECT_EQ(numbers_from(camera, 4), first(30));
 }
 
+/// Takes every other offer.
+class Choosy : public FrameSink {
+ public:
+  bool add(const PictureHandle& picture, const FrameRecord& record) noexcept override {
+    if (offers_++ % 2 == 0) return false;
+    EXPECT_EQ(picture->sequence, record.sequence);
+    taken.push_back(static_cast<int>(record.sequence));
+    return true;
+  }
+  void leave_out() noexcept override { ADD_FAILURE() << "every picture counts"; }
+  std::vector<int> taken;
+
+ private:
+  int offers_ = 0;
+};
+
+TEST(TrackCrew, OffersEveryPictureToTheSinkUntilItIsTaken) {
+  for (const int threads : {1, 3}) {
+    CountingCamera camera(40, 2);
+    Choosy sink;
+    TrackCrew crew(camera, one_marker(), {.independent = true}, threads, {}, &sink);
+    crew.run(number_of, [](const std::string&, const FrameRecord&) {});
+    EXPECT_EQ(sink.taken, first(40));
+  }
+}
+
+TEST(TrackCrew, StopsWhenAskedTo) {
+  CountingCamera camera(60);
+  TrackCrew crew(camera, one_marker(), {.independent = true}, 2, {});
+  crew.stop_when([] { return true; });
+  crew.run(number_of, [](const std::string&, const FrameRecord&) { ADD_FAILURE() << "nothing was to be taken"; });
+  EXPECT_TRUE(crew.stopped_early());
+}
+
 TEST(TrackCrew, StopsWhenEnoughPicturesAreDone) {
   CountingCamera camera(60);
   EXPECT_EQ(numbers_from(camera, 3, 7), first(7));

@@ -178,7 +178,7 @@ TEST_F(LiveCameraTest, CountsGapsAndLeavesOutWhatComesLate) {
   const auto camera = open(device);
   const std::vector<std::uint8_t> bytes(yuyv_bytes);
   std::vector<std::uint64_t> got;
-  for (const std::uint64_t sequence : {3, 8, 5, 6, 7, 9}) {
+  for (const std::uint64_t sequence : {3u, 8u, 5u, 6u, 7u, 9u}) {
     ASSERT_TRUE(device.send(bytes, sequence, now_ns()));
     PictureHandle picture;
     if (camera->next(picture) == Camera::Status::ok) got.push_back(picture->sequence);
