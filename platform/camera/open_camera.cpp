@@ -40,7 +40,8 @@ LensSource lens_of(const CameraOptions& options) {
 
 std::unique_ptr<RecordedCamera> open_files(bool video, const std::string& path, const CameraOptions& options) {
   if (!video && is_recording(path))
-    return open_recording(path, LensSource(options.calibration, options.fov_rad), options.readout);
+    return open_recording(path, options.lens.value_or(LensSource(options.calibration, options.fov_rad)),
+                          options.readout);
   const Duration readout = options.readout.value_or(Duration{});
   return video ? open_video(path, lens_of(options), readout) : open_folder(path, lens_of(options), readout);
 }

@@ -46,8 +46,9 @@ Axes of a camera: x to the right, y down, z ahead, as seen in the picture; milli
 quaternion (w, x, y, z) and a translation and maps b to a: p_a = T_a_b p_b. "time_ns" of a record is the time to which
 its poses belong, start + (length + readout) / 2. The covariance is 6 x 6, by rows: of a rotation vector (rad) and a
 translation (mm), camera axes, both applied after the pose. "velocity" is [x, y, z, x, y, z], rad/s and mm/s. "cells"
-are the ring centres that were seen, in pixels. Times are those of the system's monotonic clock, or count from 0 where
-the camera was a recording itself. Numbers read back bit for bit.
+are the ring centres that were seen, in pixels; "second_cells" has a bit for each that the right eye's picture shows.
+Times are those of the system's monotonic clock, or count from 0 where the camera was a recording itself. Numbers read
+back bit for bit.
 
 A recording that was ended by force is whole up to its last line that ends; a video of it plays, but may have to be
 read from its start to find a place in it.
