@@ -16,11 +16,16 @@ namespace {
 
 constexpr double longest_readout_ms = 1000;
 
+CLI::Validator camera_spec() {
+  return one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
+                "synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR");
+}
+
 void add_camera(CLI::App& command, SourceOptions& options) {
-  const auto camera =
-      one_of({{"synthetic", More::may}, {"libcamera", More::may}, {"file", More::must}, {"folder", More::must}},
-             "synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR");
-  command.add_option("--camera", options.camera, help::camera)->type_name("SPEC")->check(camera)->capture_default_str();
+  command.add_option("--camera", options.camera, help::camera)
+      ->type_name("SPEC")
+      ->check(camera_spec())
+      ->capture_default_str();
   auto* fov = command.add_option("--fov", options.fov_deg, help::fov)->type_name("DEG");
   fov->check(number_between(1, 170, " degrees"));
   command.add_option("--calibration", options.calibration, help::calibration)->type_name("FILE.yaml")->excludes(fov);
@@ -28,6 +33,17 @@ void add_camera(CLI::App& command, SourceOptions& options) {
       ->type_name("MS")
       ->check(number_between(0, longest_readout_ms, " milliseconds"));
   add_live_arguments(command, options.live);
+}
+
+void add_second_camera(CLI::App& command, SourceOptions& options) {
+  auto* second = command.add_option("--second-camera", options.second_camera, help::second_camera);
+  second->type_name("SPEC")->check(camera_spec());
+  command.add_flag("--side-by-side", options.side_by_side, help::side_by_side)->excludes(second);
+  auto* rig = command.add_option("--rig", options.rig, help::rig)->type_name("FILE.yaml")->check(not_empty());
+  command.add_option("--baseline-mm", options.baseline_mm, help::baseline)
+      ->type_name("MM")
+      ->check(number_between(5, 1000, " millimetres"))
+      ->excludes(rig);
 }
 
 void add_frames(CLI::App& command, std::optional<int>& frames) {
@@ -38,6 +54,7 @@ void add_run(CLI::App& program, RunOptions& options) {
   CLI::App& run = *program.add_subcommand("run", help::run);
   run.footer(help::run_examples);
   add_camera(run, options.source);
+  add_second_camera(run, options.source);
   run.add_option("--display", options.display, help::display)
       ->type_name("SPEC")
       ->check(one_of({{"window", More::none}, {"openxr", More::none}, {"offscreen", More::must}},
@@ -86,6 +103,7 @@ void add_track(CLI::App& program, TrackOptions& options) {
   CLI::App& track = *program.add_subcommand("track", help::track);
   track.footer(help::track_examples);
   add_camera(track, options.source);
+  add_second_camera(track, options.source);
   track.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE")->required();
   track.add_option("--output", options.output, help::track_output)->type_name("FILE.jsonl");
   track.add_option("--overlay", options.overlay, help::overlay)->type_name("DIR");
@@ -229,6 +247,19 @@ void check_wait(const Program& program, const RunOptions& options) {
     refuse(program, "--wait is for a headset: give --display openxr with it, or leave it out");
 }
 
+void check_pair(const Program& program, const SourceOptions& options) {
+  const bool placed = !options.rig.empty() || options.baseline_mm;
+  if (placed && !options.pair())
+    refuse(program, std::string(options.baseline_mm ? "--baseline-mm" : "--rig") +
+                        " is for two cameras: add --second-camera SPEC or --side-by-side, or leave it out");
+  if (options.pair() && !placed)
+    refuse(program, "where the second camera sits is unknown: give --rig FILE.yaml or --baseline-mm MM");
+  if (options.side_by_side && options.camera.starts_with("synthetic"))
+    refuse(program,
+           "the synthetic camera shows one eye's picture: give --second-camera synthetic in place of "
+           "--side-by-side");
+}
+
 /// The command that was given, as `head` of `calibrate head`.
 const CLI::App& innermost(const CLI::App& app) {
   const CLI::App* at = &app;
@@ -239,13 +270,25 @@ const CLI::App& innermost(const CLI::App& app) {
 void check_source(const Program& program, const SourceOptions& options) {
   const std::string misplaced = misplaced_live_argument(innermost(program.app), options.camera);
   if (!misplaced.empty()) refuse(program, misplaced);
-  if (options.camera.starts_with("synthetic") || options.fov_deg || !options.calibration.empty()) return;
-  refuse(program, "the lens of " + options.camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
+  check_pair(program, options);
+  if (options.fov_deg || !options.calibration.empty() || !options.rig.empty()) return;
+  for (const std::string& camera : {options.camera, options.second_camera})
+    if (!camera.empty() && !camera.starts_with("synthetic"))
+      refuse(program, "the lens of " + camera + " is unknown: give --fov DEG or --calibration FILE.yaml");
 }
 
 void check_worn(const Program& program, const RunOptions& options) {
   if (program.app.get_subcommand("run")->count("--world") == 0 || options.display == "openxr") return;
   refuse(program, "--world " + std::string(name_of(options.world)) + " is for a headset alone: add --display openxr");
+}
+
+/// The log of a session knows its own cameras.
+void check_replayed_source(Program& program, SourceOptions& options) {
+  if (options.side_by_side || !options.rig.empty() || options.baseline_mm)
+    refuse(program, "the log knows how its two cameras sat: leave --side-by-side, --rig and --baseline-mm out");
+  if (program.app.get_subcommand("run")->count("--camera") > 0) return;
+  if (options.pair()) refuse(program, "--second-camera names the second one of other cameras: give --camera with it");
+  options.camera.clear();
 }
 
 CalibrateOptions checked_calibrate(const Program& program) {
@@ -300,8 +343,8 @@ Command parse_command_line(std::vector<std::string> arguments) {
   check_wait(program, program.run);
   if (program.run.replay.empty())
     check_source(program, program.run.source);
-  else if (program.app.get_subcommand("run")->count("--camera") == 0)
-    program.run.source.camera.clear();
+  else
+    check_replayed_source(program, program.run.source);
   return program.run;
 }
 

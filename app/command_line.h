@@ -13,11 +13,17 @@ namespace onestroke {
 
 /// Where pictures come from and what is known of the lens; the camera factory reads `camera` further.
 struct SourceOptions {
-  std::string camera = "synthetic";   ///< synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR
-  std::optional<double> fov_deg;      ///< Horizontal, degrees; never together with a calibration.
-  std::filesystem::path calibration;  ///< OpenCV YAML; empty for none.
-  std::optional<double> readout_ms;   ///< First row to last; unset where the camera says it or has a global shutter.
-  LiveOptions live;                   ///< For `libcamera` alone.
+  std::string camera = "synthetic";     ///< synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO or folder:DIR
+  std::optional<double> fov_deg;        ///< Horizontal, degrees; never together with a calibration.
+  std::filesystem::path calibration;    ///< OpenCV YAML; empty for none.
+  std::optional<double> readout_ms;     ///< First row to last; unset where the camera says it or has a global shutter.
+  LiveOptions live;                     ///< For `libcamera` alone.
+  std::string second_camera{};          ///< The right eye's, as `camera`; empty for none.
+  bool side_by_side = false;            ///< `camera` shows both eyes' pictures beside each other.
+  std::filesystem::path rig{};          ///< How two cameras sit: OpenCV's stereo calibration, or
+  std::optional<double> baseline_mm{};  ///< how far apart they are where they look the same way. One of these.
+
+  bool pair() const { return side_by_side || !second_camera.empty(); }
 };
 
 enum class PictureTime {

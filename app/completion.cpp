@@ -7,13 +7,13 @@ namespace {
 
 // ':' parts words in bash, so what follows "file:" is a word of its own; it is a file's name.
 constexpr const char* values = R"(  case "$prev" in
-    --camera) COMPREPLY=($(compgen -W "synthetic file: folder:" -- "$cur")); return ;;
+    --camera | --second-camera) COMPREPLY=($(compgen -W "synthetic file: folder:" -- "$cur")); return ;;
     --display) COMPREPLY=($(compgen -W "window openxr offscreen:" -- "$cur")); return ;;
     --world) COMPREPLY=($(compgen -W "auto camera alpha additive passthrough" -- "$cur")); return ;;
     --mode) COMPREPLY=($(compgen -W "exposure fresh" -- "$cur")); return ;;
     --completion) COMPREPLY=($(compgen -W "bash" -- "$cur")); return ;;
     --overlay) COMPREPLY=($(compgen -d -- "$cur")); return ;;
-    --catalog | --calibration | --output | --log | --replay | --head-camera | --head-poses | :) COMPREPLY=($(compgen -f -- "${cur#:}")); return ;;
+    --catalog | --calibration | --rig | --output | --log | --replay | --head-camera | --head-poses | :) COMPREPLY=($(compgen -f -- "${cur#:}")); return ;;
   esac
 )";
 

@@ -5,12 +5,13 @@
 #include "render/finger_matte.h"
 
 #include <array>
+#include <bitset>
 #include <span>
 
 namespace onestroke {
 
-/// The rings of the sticks in a picture that something else covers: what the tracker does not see of a stick that it
-/// has measured, where the stick does not hide itself. One thread; no allocation after the constructor.
+/// The rings of the sticks in a picture that something else covers: what the tracker does not see there of a stick that
+/// it has measured, where the stick does not hide itself. One thread; no allocation after the constructor.
 class CoveredCells {
  public:
   /// The shelf outlives this.
@@ -18,11 +19,21 @@ class CoveredCells {
 
   /// What is returned lives until the next call.
   std::span<const CoveredCell> find(const FrameRecord& record, const Picture& picture);
+  /// In the second picture of a pair, in its camera's frame.
+  std::span<const CoveredCell> find_in_second(const FrameRecord& record, const Picture& picture);
 
  private:
   static constexpr std::size_t most = 64;
 
-  void add_covered(const MarkerObservation& marker, const ShelfEntry& entry, const Picture& picture);
+  using CellSet = std::bitset<max_cells_per_marker>;
+
+  /// Where a stick is in a picture's camera frame, and what is seen of it there.
+  struct Stick {
+    int id;
+    Pose T_camera_marker;
+    CellSet seen;
+  };
+  void add_covered(const Stick& stick, const Picture& picture);
 
   const ModelShelf& shelf_;
   std::array<CoveredCell, most> covered_{};

@@ -32,6 +32,21 @@ inline constexpr const char* calibration =
 inline constexpr const char* readout =
     "Rolling shutter: milliseconds from the first row's readout to the last row's, top first; 0 for a global shutter. "
     "Default: what the camera says, otherwise 0";
+inline constexpr const char* second_camera =
+    "The right eye's camera, where --camera is the left eye's, with --rig or --baseline-mm. synthetic alone is the "
+    "first one "
+    "once more, seen from where the second sits";
+inline constexpr const char* side_by_side =
+    "The camera's pictures hold both eyes', the left one in their left half; with --rig or --baseline-mm. --fov and "
+    "--calibration are a half's";
+inline constexpr const char* rig =
+    "How two cameras sit, and their lenses: what cv::stereoCalibrate found, in OpenCV's YAML: R and T (x2 = R x1 + T, "
+    "in "
+    "millimetres as the board's squares were), M1 D1 M2 D2. Where it has R and T alone the lenses are those of an "
+    "intrinsics.yml beside it, or --fov, or --calibration";
+inline constexpr const char* baseline =
+    "Two cameras that look the same way, the second one MM millimetres to the right of the first, 5 to 1000; --fov or "
+    "--calibration is both lenses'";
 inline constexpr const char* size =
     "Size of a connected camera's pictures. Default: the one that it has nearest to 1280x720";
 inline constexpr const char* format =
@@ -97,6 +112,7 @@ inline constexpr const char* run_examples = R"(Examples:
   onestroke run --camera synthetic:noise=2,blur=1,fingers=1,seed=3 --display offscreen:film --frames 300
   onestroke run --camera synthetic:script=overlay,fingers=1
   onestroke run --camera file:hands.mp4 --calibration lens.yaml --catalog markers.db --display window
+  onestroke run --second-camera synthetic --baseline-mm 64 --stereo --display offscreen:pair --frames 60
   onestroke run --replay session.jsonl --display offscreen:again
 
 What the made-up camera's hands do, script=: hands (the demo); one for each way of comparing: side, link, mirror, overlay,
@@ -118,14 +134,17 @@ inline constexpr const char* overlay = "Also write every picture to this folder 
 inline constexpr const char* independent =
     "Treat each picture alone, with no memory of the one before: for sets of unrelated pictures";
 inline constexpr const char* threads =
-    "Threads, 1 to 256, each with pictures of its own; more than 1 needs --independent";
+    "Threads, 1 to 256, each with pictures of its own, two threads where there are two cameras; more than 1 needs "
+    "--independent";
 inline constexpr const char* track_examples = R"(Examples:
   onestroke track --camera folder:booth --fov 35 --catalog markers.db --independent --output booth.jsonl
   onestroke track --camera file:turntable.mkv --fov 35 --readout-ms 50 --catalog markers.json --overlay drawn
+  onestroke track --camera folder:left --second-camera folder:right --rig stereo.yml --catalog markers.db
 
 Each line: {"image", "time_ns", "ms", "markers": [{"id", "name", "R", "rvec", "t", "covariance", "cells_seen", "state",
 "cell_centres"}]}. A pose maps marker to camera: p_camera = R p_marker + t; t in millimetres, rvec in radians; camera axes
-x right, y down, z forward; pixel centres at half-integers.)";
+x right, y down, z forward; pixel centres at half-integers. Of two cameras the first is meant; "second_cells" are the indices
+of the cells that the second one sees.)";
 
 inline constexpr const char* marker = "Keep the catalogue of markers";
 inline constexpr const char* import =

@@ -1,6 +1,7 @@
 #include "app/hud_words.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace onestroke {
 namespace {
@@ -24,7 +25,10 @@ void describe(const MarkerObservation& seen, HudWords::Marker& words) {
   words.cells.clear();
   words.distance.clear();
   if (seen.state == MarkerState::lost) return;
-  words.cells.print("%d cells", seen.cells_seen);
+  if (seen.second_cells == 0)
+    words.cells.print("%d cells", seen.cells_seen);
+  else
+    words.cells.print("%d + %d cells", seen.cells_seen, std::popcount(seen.second_cells));
   words.distance.print("%.0f mm", norm(seen.T_camera_marker.translation));
 }
 

@@ -3,6 +3,7 @@
 #include "scene/text.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -96,7 +97,12 @@ class MarkerDrawing {
     const char* state = marker_.state == MarkerState::measured    ? ""
                         : marker_.state == MarkerState::predicted ? ", predicted"
                                                                   : ", lost";
-    words.print("%s: %d cells, %.0f mm%s", marker_.name.data(), marker_.cells_seen,
+    Text cells;
+    if (marker_.second_cells == 0)
+      cells.print("%d", marker_.cells_seen);
+    else
+      cells.print("%d + %d", marker_.cells_seen, std::popcount(marker_.second_cells));
+    words.print("%s: %s cells, %.0f mm%s", marker_.name.data(), cells.view().data(),
                 norm(marker_.T_camera_marker.translation), state);
     const double height = 15 * scale_, width = Canvas::text_width(height, words.view()), edge = 4 * scale_,
                  gap = 14 * scale_;

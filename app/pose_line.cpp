@@ -22,18 +22,28 @@ Json cell_centres(const MarkerObservation& marker) {
   return list;
 }
 
+Json second_cells(const MarkerObservation& marker) {
+  Json list = Json::array();
+  for (int i = 0; i < max_cells_per_marker; ++i)
+    if (marker.second_cells >> i & 1) list.push_back(i);
+  return list;
+}
+
 Json object(const MarkerObservation& marker) {
   const Pose& pose = marker.T_camera_marker;
-  return {{"id", marker.id},
-          {"name", marker.name.data()},
-          {"R", to_matrix(pose.rotation)},
-          {"rvec", numbers(log_so3(pose.rotation))},
-          {"t", numbers(pose.translation)},
-          {"covariance", marker.covariance},
-          {"cells_seen", marker.cells_seen},
-          {"state", word_of(marker.state)},
-          {"cell_centres", cell_centres(marker)},
-          {"velocity", {{"angular", numbers(marker.velocity.angular)}, {"linear", numbers(marker.velocity.linear)}}}};
+  Json value{
+      {"id", marker.id},
+      {"name", marker.name.data()},
+      {"R", to_matrix(pose.rotation)},
+      {"rvec", numbers(log_so3(pose.rotation))},
+      {"t", numbers(pose.translation)},
+      {"covariance", marker.covariance},
+      {"cells_seen", marker.cells_seen},
+      {"state", word_of(marker.state)},
+      {"cell_centres", cell_centres(marker)},
+      {"velocity", {{"angular", numbers(marker.velocity.angular)}, {"linear", numbers(marker.velocity.linear)}}}};
+  if (marker.second_cells != 0) value["second_cells"] = second_cells(marker);
+  return value;
 }
 
 }  // namespace

@@ -58,7 +58,11 @@ PictureHandle ReplayFeed::find_picture(bool (*stop)()) {
     if (status == Camera::Status::busy) std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   const bool found = ahead_ && ahead_->sequence == wanted;
-  if (found && session_.header().T_head_camera) ahead_.set_T_world_camera(frame_->record.T_world_camera);
+  if (found && session_.header().T_head_camera) {
+    const Pose& T_world_first = frame_->record.T_world_camera;
+    ahead_.set_T_world_camera(T_world_first);
+    if (frame_->second.width > 0) ahead_.set_T_world_second(T_world_first * frame_->second.T_first_second);
+  }
   return found ? std::move(ahead_) : PictureHandle();
 }
 

@@ -2,7 +2,6 @@
 
 #include "app/cache_folder.h"
 #include "app/frame_feed.h"
-#include "app/head_camera.h"
 #include "app/head_mount.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
@@ -13,6 +12,7 @@
 #include "app/source.h"
 #include "core/error.h"
 #include "display/open_display.h"
+#include "tracking/stereo_tracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +53,18 @@ std::string display_spec(const RunOptions& options) {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") ? "window" : "offscreen:out/demo";
 }
 
+std::string in_real_time(std::string camera) {
+  if (!camera.starts_with(plain_synthetic) || camera.find("live=") != std::string::npos) return camera;
+  return camera + (camera.find(':') == std::string::npos ? ":live=1" : ",live=1");
+}
+
 /// On a screen the synthetic camera takes its pictures in real time, unless told otherwise.
 SourceOptions source_for(SourceOptions source, bool offscreen) {
   if (source.camera == plain_synthetic) source.camera = demo_camera;
-  const bool synthetic = source.camera.starts_with("synthetic");
-  if (!synthetic || offscreen || source.camera.find("live=") != std::string::npos) return source;
-  source.camera += source.camera.find(':') == std::string::npos ? ":live=1" : ",live=1";
+  if (offscreen) return source;
+  source.camera = in_real_time(source.camera);
+  // By itself it is the first one once more.
+  if (source.second_camera != plain_synthetic) source.second_camera = in_real_time(source.second_camera);
   return source;
 }
 
@@ -198,11 +204,7 @@ int run_live(RunOptions options, std::ostream& out) {
   Stage stage = prepare(options);
   options.source = source_for(options.source, stage.offscreen);
   const HeadMount mount = find_head(stage, options);
-  const std::unique_ptr<Camera> source = open_source(options.source, stage.catalog, mount);
-  // A recording was not taken by the head that watches it.
-  std::optional<HeadCamera> worn;
-  if (mount.head && source->live()) worn.emplace(*source, mount);
-  Camera* const camera = worn ? &*worn : source.get();
+  const std::unique_ptr<Camera> camera = open_worn_source(options.source, stage.catalog, mount);
   const double rate = camera->rate() > 0 ? camera->rate() : 30;
   open(stage, options, rate);
   const ShowLimits limits = limits_for(options, *camera, stage.offscreen);
@@ -210,8 +212,9 @@ int run_live(RunOptions options, std::ostream& out) {
   catch_interrupt();
   const std::unique_ptr<SessionLog> log = open_session_log(
       options, stage.spec,
-      session_header(options, stage.offscreen ? rate : 0, worn ? std::optional(mount.T_head_camera) : std::nullopt));
-  Tracker tracker(stage.catalog);
+      session_header(options, stage.offscreen ? rate : 0,
+                     mount.head && camera->live() ? std::optional(mount.T_head_camera) : std::nullopt));
+  StereoTracker tracker(stage.catalog);
   const Feed::Pace pace = pace_for(*camera, stage.offscreen);
   TrackingThread tracking(*camera, tracker,
                           pace == Feed::Pace::newest ? TrackingThread::Pacing::newest : TrackingThread::Pacing::every);

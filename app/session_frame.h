@@ -20,6 +20,10 @@ struct SessionHeader {
   std::optional<double> fov_deg{};  ///< What was said of the lens, if anything: one of these two.
   std::string calibration{};        ///< A file by its whole path.
   std::optional<double> readout_ms{};
+  std::string second_camera{};  ///< As `camera`; empty for none.
+  bool side_by_side = false;
+  std::string rig{};  ///< A file by its whole path: how two cameras sit, by this or the next.
+  std::optional<double> baseline_mm{};
   double rate = 0;  ///< Frames a second of the display's time; 0 for a screen's own.
   bool stereo = false, fingers = true, left_handed = false;
   /// The camera's place on the wearer's head; none where no head was tracked.
@@ -32,6 +36,11 @@ struct PictureLens {
   Intrinsics intrinsics;
 };
 
+/// The same of the second picture of a pair; of no size where there is none.
+struct SecondLens : PictureLens {
+  Pose T_first_second;  ///< With the head's motion between the two exposures.
+};
+
 /// One frame of a show. Its size is fixed, so that it can be handed on without allocation.
 struct SessionFrame {
   static constexpr std::size_t most_keys = 16, most_events = 4;
@@ -40,6 +49,7 @@ struct SessionFrame {
   bool picture = false;  ///< The record's picture was new.
   FrameRecord record;
   PictureLens lens;
+  SecondLens second;
   std::optional<Latency> latency;     ///< Where the picture's time is the clock's.
   InlineVector<Key, most_keys> keys;  ///< Pressed before the frame.
   /// What happened in it, in words; they tell a reader of the log where to look, and change nothing.

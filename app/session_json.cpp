@@ -76,13 +76,15 @@ Json marker_value(const MarkerObservation& m) {
     const CellCentre& cell = m.cells[static_cast<std::size_t>(i)];
     cells.push_back({cell.index, real(cell.u), real(cell.v)});
   }
-  return {{"id", m.id},
-          {"name", m.name.data()},
-          {"state", word_of(m.state)},
-          {"T_camera_marker", pose_value(m.T_camera_marker)},
-          {"velocity", velocity_value(m.velocity)},
-          {"covariance", reals(m.covariance)},
-          {"cells", std::move(cells)}};
+  Json value{{"id", m.id},
+             {"name", m.name.data()},
+             {"state", word_of(m.state)},
+             {"T_camera_marker", pose_value(m.T_camera_marker)},
+             {"velocity", velocity_value(m.velocity)},
+             {"covariance", reals(m.covariance)},
+             {"cells", std::move(cells)}};
+  if (m.second_cells != 0) value["second_cells"] = m.second_cells;
+  return value;
 }
 
 MarkerState state_of(const Json& value) {
@@ -101,6 +103,7 @@ void read_marker(const Json& value, MarkerObservation& m) {
   m.T_camera_marker = pose_of(value.at("T_camera_marker"));
   m.velocity = velocity_of(value.at("velocity"));
   m.covariance = reals_of<36>(value.at("covariance"));
+  m.second_cells = value.value("second_cells", std::uint64_t{0});
   const Json& cells = value.at("cells");
   if (cells.size() > max_cells_per_marker) throw Error("a marker has too many cells");
   for (const Json& cell : cells) {
@@ -149,6 +152,13 @@ void read_lens(const Json& value, PictureLens& lens) {
   lens.intrinsics = {n[0], n[1], n[2], n[3], reals_of<5>(value.at("distortion"))};
 }
 
+void read_second(const Json& value, SecondLens& second) {
+  second = {};
+  if (value.is_null()) return;
+  read_lens(value, second);
+  second.T_first_second = pose_of(value.at("T_first_second"));
+}
+
 bool is_letter(int key) {
   return key > ' ' && key < 0x7f;
 }
@@ -179,6 +189,7 @@ void read_frame(const Json& line, SessionFrame& frame) {
   if (const auto events = line.find("events"); events != line.end())
     for (const Json& word : *events) frame.events.push_back(Text(word.get<std::string>()));
   if (const auto lens = line.find("lens"); lens != line.end()) read_lens(*lens, frame.lens);
+  if (const auto second = line.find("second"); second != line.end()) read_second(*second, frame.second);
   if (const auto record = line.find("record"); record != line.end()) read_record(*record, frame.record);
 }
 
@@ -218,6 +229,10 @@ std::string session_line(const SessionHeader& header) {
   if (header.fov_deg) line["fov"] = *header.fov_deg;
   if (!header.calibration.empty()) line["calibration"] = header.calibration;
   if (header.readout_ms) line["readout_ms"] = *header.readout_ms;
+  if (!header.second_camera.empty()) line["second_camera"] = header.second_camera;
+  if (header.side_by_side) line["side_by_side"] = true;
+  if (!header.rig.empty()) line["rig"] = header.rig;
+  if (header.baseline_mm) line["baseline_mm"] = *header.baseline_mm;
   line["rate"] = header.rate;
   line["stereo"] = header.stereo;
   line["fingers"] = header.fingers;
@@ -234,7 +249,14 @@ std::string session_text(const PictureLens& lens) {
   return dump(lens_value(lens));
 }
 
-std::string session_line(const SessionFrame& frame, const std::string& record, const std::string& lens) {
+std::string session_text(const SecondLens& second) {
+  if (second.width == 0) return "null";
+  Json value = lens_value(second);
+  value["T_first_second"] = pose_value(second.T_first_second);
+  return dump(value);
+}
+
+std::string session_line(const SessionFrame& frame, const SessionTexts& texts) {
   Json line{{"now_ns", frame.now.ns}};
   if (frame.picture) line["picture"] = true;
   if (frame.latency)
@@ -245,8 +267,9 @@ std::string session_line(const SessionFrame& frame, const std::string& record, c
   for (const Text& word : frame.events) line["events"].push_back(word.view());
   std::string text = dump(line);
   text.pop_back();
-  if (!lens.empty()) text += ",\"lens\":" + lens;
-  if (!record.empty()) text += ",\"record\":" + record;
+  if (!texts.lens.empty()) text += ",\"lens\":" + texts.lens;
+  if (!texts.second.empty()) text += ",\"second\":" + texts.second;
+  if (!texts.record.empty()) text += ",\"record\":" + texts.record;
   return text + "}";
 }
 
@@ -268,6 +291,10 @@ SessionHeader header_of_line(const std::string& text) {
     read_optional(line, "fov", header.fov_deg);
     header.calibration = line.value("calibration", "");
     read_optional(line, "readout_ms", header.readout_ms);
+    header.second_camera = line.value("second_camera", "");
+    header.side_by_side = line.value("side_by_side", false);
+    header.rig = line.value("rig", "");
+    read_optional(line, "baseline_mm", header.baseline_mm);
     line.at("rate").get_to(header.rate);
     line.at("stereo").get_to(header.stereo);
     line.at("fingers").get_to(header.fingers);

@@ -1,6 +1,5 @@
 #include "app/session_log.h"
 
-#include "app/session_json.h"
 #include "core/error.h"
 
 #include <pthread.h>
@@ -32,12 +31,14 @@ SessionLog::~SessionLog() {
   close();
 }
 
-void SessionLog::add(const FrameRecord& record, Time now, bool picture, const PictureLens& lens) noexcept {
+void SessionLog::add(const FrameRecord& record, Time now, bool picture, const PictureLens& lens,
+                     const SecondLens& second) noexcept {
   const bool added = queue_.push_with([&](SessionFrame& slot) {
     slot.now = now;
     slot.picture = picture;
     copy_record(record, slot.record);
     slot.lens = lens;
+    slot.second = second;
     slot.latency = latency_;
     slot.keys = keys_;
     slot.events = events_;
@@ -89,12 +90,15 @@ void SessionLog::write_until(const std::stop_token& stop) noexcept {
 
 void SessionLog::write(const SessionFrame& frame) {
   if (frame.missed > 0) write_line(session_line_missed(frame.missed));
-  std::string record = session_text(frame.record), lens;
-  if (frame.lens.width > 0) lens = session_text(frame.lens);
-  const bool other_record = record != record_, other_lens = lens != lens_;
-  write_line(session_line(frame, other_record ? record : std::string(), other_lens ? lens : std::string()));
-  record_ = std::move(record);
-  lens_ = std::move(lens);
+  SessionTexts now{.record = session_text(frame.record), .lens = {}, .second = session_text(frame.second)};
+  if (frame.lens.width > 0) now.lens = session_text(frame.lens);
+  const auto if_other = [](const std::string& text, const std::string& before) {
+    return text == before ? std::string() : text;
+  };
+  write_line(session_line(frame, {.record = if_other(now.record, written_.record),
+                                  .lens = if_other(now.lens, written_.lens),
+                                  .second = if_other(now.second, written_.second)}));
+  written_ = std::move(now);
 }
 
 void SessionLog::write_line(const std::string& line) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session_frame.h"
+#include "app/session_json.h"
 #include "core/spsc_queue.h"
 
 #include <atomic>
@@ -29,7 +29,8 @@ class SessionLog {
   void took(const std::optional<Latency>& latency) noexcept { latency_ = latency; }
   /// Render loop: one frame. Where the writer is too far behind the frame is left out and counted, and its keys and
   /// events go with the next.
-  void add(const FrameRecord& record, Time now, bool picture, const PictureLens& lens) noexcept;
+  void add(const FrameRecord& record, Time now, bool picture, const PictureLens& lens,
+           const SecondLens& second = {}) noexcept;
 
   /// Writes what waits and ends the log. A second call does nothing.
   void close() noexcept;
@@ -54,7 +55,7 @@ class SessionLog {
   std::optional<Latency> latency_;
   std::uint64_t missed_ = 0;
   // The writer's.
-  std::string record_, lens_;  // as they stand in the log
+  SessionTexts written_{.record = {}, .lens = {}, .second = "null"};  // as they stand in the log
   std::string failure_;
   std::atomic<bool> failed_{false};
   std::jthread writer_;

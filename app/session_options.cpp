@@ -57,6 +57,10 @@ SessionHeader session_header(const RunOptions& options, double rate, const std::
           .fov_deg = source.fov_deg,
           .calibration = whole_path(source.calibration).string(),
           .readout_ms = source.readout_ms,
+          .second_camera = whole_camera(source.second_camera),
+          .side_by_side = source.side_by_side,
+          .rig = whole_path(source.rig).string(),
+          .baseline_mm = source.baseline_mm,
           .rate = rate,
           .stereo = options.stereo,
           .fingers = options.fingers,
@@ -66,10 +70,22 @@ SessionHeader session_header(const RunOptions& options, double rate, const std::
 
 RunOptions replay_options(const SessionHeader& header, const RunOptions& given) {
   RunOptions options = given;
-  if (options.source.camera.empty()) options.source.camera = not_live(header.camera);
+  if (options.source.camera.empty()) {
+    options.source.camera = not_live(header.camera);
+    options.source.second_camera = not_live(header.second_camera);
+  }
   options.source.fov_deg = header.fov_deg;
   options.source.calibration = header.calibration;
   options.source.readout_ms = header.readout_ms;
+  options.source.side_by_side = header.side_by_side && options.source.second_camera.empty();
+  if (options.source.pair()) {
+    options.source.rig = header.rig;
+    options.source.baseline_mm = header.baseline_mm;
+    if (options.source.rig.empty() && !options.source.baseline_mm)
+      throw UsageError(
+          "the session was one camera's, so its log does not say where a second one sits: leave "
+          "--second-camera out");
+  }
   options.catalog = header.catalog;
   options.stereo = header.stereo;
   options.fingers = header.fingers;

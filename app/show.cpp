@@ -16,6 +16,15 @@ namespace {
 // How long the wearer is told where a snapshot went.
 constexpr Duration noticed_for = Duration::from_seconds(3);
 
+void stand(View& view, const Pose& T_world_camera, const PictureLens& lens) {
+  view.T_world_view = T_world_camera;
+  view.fov = fov_to_fit(lens.intrinsics, lens.width, lens.height, view.viewport);
+}
+
+PictureLens lens_of(const Picture& picture) {
+  return {picture.width, picture.height, picture.intrinsics};
+}
+
 }  // namespace
 
 Show::Show(const Parts& parts, const ShowOptions& options)
@@ -102,26 +111,38 @@ bool Show::press(Key key) {
 void Show::take_picture() {
   picture_ = parts_.feed.take_picture();
   show_picture();
-  lens_ = {picture_->width, picture_->height, picture_->intrinsics};
+  lens_ = lens_of(*picture_);
   T_world_camera_ = picture_->T_world_camera;
+  second_lens_ = {};
+  if (const Picture* second = picture_->second)
+    second_lens_ = {lens_of(*second), inverse(T_world_camera_) * second->T_world_camera};
 }
 
 // Where the world is seen, the picture is for the light alone.
 void Show::show_picture() {
-  const auto covered = shows_world_ ? std::span<const CoveredCell>() : covered_.find(parts_.feed.record(), *picture_);
-  parts_.graphics.renderer().set_picture(*picture_, covered);
+  Renderer& renderer = parts_.graphics.renderer();
+  const FrameRecord& record = parts_.feed.record();
+  renderer.set_picture(*picture_, shows_world_ ? std::span<const CoveredCell>() : covered_.find(record, *picture_));
+  if (picture_->second && !shows_world_)
+    renderer.set_second_picture(*picture_->second, covered_.find_in_second(record, *picture_->second));
 }
 
 void Show::write_down(bool new_picture) {
   if (!parts_.log) return;
   for (const std::string_view word : hands_.comparison().happened()) parts_.log->happened(word);
   parts_.log->took(latency_);
-  parts_.log->add(parts_.feed.record(), parts_.feed.now(), new_picture, lens_);
+  parts_.log->add(parts_.feed.record(), parts_.feed.now(), new_picture, lens_, second_lens_);
 }
 
-// Without a head to follow, the eye stands where the camera stood, and sees what the camera saw.
+// Without a head to follow, the eye stands where the camera stood, and sees what the camera saw; of two eyes each where
+// its own did.
 void Show::stand_at_camera(FrameInfo& frame) const {
   if (parts_.display.tracks_head() || lens_.width == 0) return;
+  if (frame.view_count == 2 && second_lens_.width > 0) {
+    stand(frame.views[0], T_world_camera_, lens_);
+    stand(frame.views[1], T_world_camera_ * second_lens_.T_first_second, second_lens_);
+    return;
+  }
   for (int i = 0; i < frame.view_count; ++i) {
     View& view = frame.views[static_cast<std::size_t>(i)];
     // A pair of eyes stays apart.

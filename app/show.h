@@ -81,6 +81,7 @@ class Show {
   PictureHandle picture_;  // the one that is shown, for a GPU that has not seen it
   // What it says of its camera.
   PictureLens lens_;
+  SecondLens second_lens_;
   Pose T_world_camera_;
   std::optional<Latency> latency_;  // of the last frame that was drawn
   std::optional<Time> lost_at_, snapshot_at_;

@@ -1,5 +1,7 @@
 #include "app/track_crew.h"
 
+#include "tracking/stereo_tracker.h"
+
 #include <chrono>
 #include <memory>
 #include <thread>
@@ -46,7 +48,7 @@ bool TrackCrew::take(PictureHandle& picture, std::uint64_t& turn) {
 
 void TrackCrew::work(const Describe& describe, const Deliver& deliver) {
   try {
-    Tracker tracker(catalog_, options_);
+    StereoTracker tracker(catalog_, options_);
     const auto record = std::make_unique<FrameRecord>();
     PictureHandle picture;
     for (std::uint64_t turn = 0; take(picture, turn);) {

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "picture.glsl"
 
-layout(set = 0, binding = BINDING_FINGERS) uniform sampler2D fingers;
+layout(set = 0, binding = BINDING_FINGERS) uniform sampler2D fingers[MOST_PICTURES];
 
 layout(location = 0) in vec3 position;
 
@@ -10,7 +10,7 @@ layout(location = 0) out vec4 color;
 
 void main() {
   vec2 uv = picture_at(position);
-  float alpha = smoothstep(0.3, 0.7, textureLod(fingers, uv * scene.picture_shape.yz, 0.0).r);
+  float alpha = smoothstep(0.3, 0.7, look_up(fingers[0], fingers[1], uv * its_picture.shape.yz).r);
   if (alpha <= 0.0) discard;
-  color = vec4(textureLod(picture, uv, 0.0).rgb * alpha, alpha);
+  color = vec4(picture_color(uv) * alpha, alpha);
 }

@@ -12,4 +12,6 @@ void main() {
   gl_Position = view.clip_from_camera * vec4(position, 1.0);
   vec4 there = view.clip_from_camera * vec4(position * (draw.finger.x / position.z), 1.0);
   gl_Position.z = there.z / max(there.w, 1e-4) * gl_Position.w;
+  // The other eye's picture has fingers of its own.
+  if (draw.finger.y != view.picture.x) gl_Position = vec4(0.0, 0.0, -1.0, 1.0);
 }

@@ -10,5 +10,7 @@ layout(set = 0, binding = BINDING_VIEWS, std140) uniform Views { ViewData views[
 layout(set = 0, binding = BINDING_SCENE, std140) uniform Scene { SceneData scene; };
 
 #define view views[gl_ViewIndex]
+// What the view sees of the camera.
+#define its_picture scene.pictures[int(view.picture.x)]
 
 #endif

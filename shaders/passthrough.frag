@@ -15,9 +15,9 @@ const float glow = 0.07, border_width = 0.006, glow_width = 0.1;
 
 void main() {
   vec2 uv = picture_at(position);
-  vec3 seen = textureLod(picture, uv, 0.0).rgb * scene.picture_shape.w;
+  vec3 seen = picture_color(uv) * its_picture.shape.w;
   if (edge) {
-    vec2 outside = max(abs(uv - 0.5) - 0.5, 0.0) * vec2(scene.picture_shape.x, 1.0);
+    vec2 outside = max(abs(uv - 0.5) - 0.5, 0.0) * vec2(its_picture.shape.x, 1.0);
     float far = length(outside);
     float share = mix(1.0, glow, smoothstep(0.0, border_width, far)) * (1.0 - smoothstep(0.0, glow_width, far));
     seen = mix(surround, seen, share);

@@ -39,6 +39,9 @@ using glm::vec4;
 #define CONSTANT_EDGE 1
 #define CONSTANT_TEXTURED 0
 
+// Pictures of the camera, or of the left eye's and the right eye's.
+#define MOST_PICTURES 2
+
 // Reach of the glyph atlas's distance field either side of an outline, texels.
 #define ATLAS_SPREAD 6.0
 
@@ -70,21 +73,27 @@ using glm::vec4;
 // One view of one frame.
 struct ViewData {
   mat4 clip_from_world;
-  mat4 clip_from_camera;  // from the passthrough camera's frame: vision axes, metres
+  mat4 clip_from_camera;  // from the frame of the camera whose picture it sees: vision axes, metres
   vec4 eye;               // xyz: the view's origin
   vec4 viewport;          // x, y, width, height: pixels of the target
+  vec4 picture;           // x: which picture it sees, 0 or 1
+};
+
+// A picture of the camera on the surface that it lies on. Points of it are named by what an ideal lens would show them
+// at: n = (x, y) / z.
+struct PictureData {
+  vec4 surface;         // n of the picture's first corner of the grid, n from one to the next
+  vec4 surface_around;  // n of the outermost corners: left, top, right, bottom
+  vec4 surface_grid;    // cells across, cells down, where its depths begin, 0
+  vec4 intrinsic;       // fx, fy, cx, cy over the picture's size
+  vec4 lens_map;        // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
+  vec4 shape;           // width / height; texture coordinates of the finger matte over the picture's; brightness
 };
 
 // What all views of a frame share.
 struct SceneData {
-  // The passthrough surface. Points of it are named by what an ideal lens would show them at: n = (x, y) / z.
-  vec4 surface;            // n of the picture's first corner of the grid, n from one to the next
-  vec4 surface_around;     // n of the outermost corners: left, top, right, bottom
-  vec4 surface_grid;       // cells across, cells down, 0, 0
-  vec4 picture_intrinsic;  // fx, fy, cx, cy over the picture's size
-  vec4 lens_map;           // texture coordinates of the lens map: n * xy + zw; all zero for an ideal lens
-  vec4 picture_shape;      // width / height; texture coordinates of the finger matte over the picture's; brightness
-  vec4 key_direction;      // xyz: to the light, unit
+  PictureData pictures[MOST_PICTURES];
+  vec4 key_direction;  // xyz: to the light, unit
   vec4 key_color;
   vec4 matt[9];            // spherical harmonics of what a white matt surface gives back
   vec4 tone;               // rgb: what the camera shows as black; w: the camera's noise at mid grey, coded
@@ -98,7 +107,7 @@ struct DrawData {
   vec4 tint;           // rgb factor on the base colour, a opacity
   vec4 clip_plane;     // kept where dot(plane.xyz, p) + plane.w >= 0, in the world; all zero keeps everything
   vec4 shadow;         // which balls take light from it: the first, one past the last, 0, 0
-  vec4 finger;         // x: depth of a finger along the camera's axis, metres
+  vec4 finger;         // x: depth of a finger along the camera's axis, metres; y: the picture that shows it
 };
 
 struct MaterialData {
@@ -140,8 +149,8 @@ struct UnpackData {
 };
 
 #ifdef __cplusplus
-static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 160);
-static_assert(offsetof(SceneData, key_direction) == 96 && sizeof(SceneData) == 816);
+static_assert(offsetof(ViewData, clip_from_camera) == 64 && offsetof(ViewData, eye) == 128 && sizeof(ViewData) == 176);
+static_assert(offsetof(SceneData, key_direction) == 192 && sizeof(SceneData) == 912);
 static_assert(sizeof(DrawData) == 112 && sizeof(MaterialData) == 64 && sizeof(QuadData) == 96 &&
               sizeof(LineData) == 48);
 static_assert(sizeof(CutData) <= sizeof(DrawData));

@@ -13,7 +13,7 @@ enum class MarkerState { measured, predicted, lost };
 
 /// Fixed sizes keep a record free of allocation on its way through the lock-free queue.
 inline constexpr int max_markers_per_frame = 16;
-inline constexpr int max_cells_per_marker = 64;
+inline constexpr int max_cells_per_marker = 64;  // As many as an integer has bits.
 inline constexpr int max_name_length = 47;
 
 /// The centre of one cell as seen: pixels, centres at half-integers.
@@ -34,8 +34,11 @@ struct MarkerObservation {
   /// Of T_camera_marker, the translation being that of the marker's origin; zero until two pictures are known, or one
   /// of a rolling shutter tells it.
   Velocity velocity;
+  /// In the picture; of a pair in the first one, so that there are none of a marker that the second alone shows.
   int cells_seen = 0;
   std::array<CellCentre, max_cells_per_marker> cells{};  ///< The first cells_seen are valid.
+  /// Which cells the second picture of a pair shows: a bit each, by its index.
+  std::uint64_t second_cells = 0;
 };
 
 /// What the tracker says of one picture; the one record that tracking and rendering share.

@@ -68,6 +68,7 @@ class PictureHandle {
   struct Loan {
     Picture picture;
     Lender* lender = nullptr;
+    Picture* second = nullptr;  ///< What picture.second points to, where the lender has filled a pair.
     std::atomic<int> holders{0};
   };
   class Lender {
@@ -93,8 +94,17 @@ class PictureHandle {
     Loan* loan = std::exchange(loan_, nullptr);
     if (loan && loan->holders.fetch_sub(1, std::memory_order_acq_rel) == 1) loan->lender->give_back(*loan);
   }
-  /// Says where the picture was taken. For whoever took it from the camera, before anyone shares it.
-  void set_T_world_camera(const Pose& pose) { loan_->picture.T_world_camera = pose; }
+  /// Says where the picture was taken; the second of a pair goes along. For whoever took it from the camera, before
+  /// anyone shares it.
+  void set_T_world_camera(const Pose& pose) {
+    const Pose T_first_world = inverse(loan_->picture.T_world_camera);
+    loan_->picture.T_world_camera = pose;
+    if (loan_->second) loan_->second->T_world_camera = pose * (T_first_world * loan_->second->T_world_camera);
+  }
+  /// The same for the second of a pair alone; nothing where there is none.
+  void set_T_world_second(const Pose& pose) {
+    if (loan_->second) loan_->second->T_world_camera = pose;
+  }
 
   explicit operator bool() const { return loan_ != nullptr; }
   const Picture& operator*() const { return loan_->picture; }

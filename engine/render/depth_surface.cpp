@@ -96,7 +96,7 @@ void DepthSurface::add(const DepthSegment& s, std::size_t settled) {
 }
 
 void DepthSurface::build(const PlaneBounds& inside, const PlaneBounds& around, std::span<const DepthSegment> segments,
-                         double distance) {
+                         double distance, bool in_cells) {
   far_ = 1 / distance;
   known_ = 0;
   for (const DepthSegment& s : segments)
@@ -104,8 +104,9 @@ void DepthSurface::build(const PlaneBounds& inside, const PlaneBounds& around, s
   const std::size_t settled = known_;
   for (const DepthSegment& s : segments)
     if (s.weight < 1) add(s, settled);
-  across_ = {around.left, inside.left, inside.right, around.right, known_ == 0 ? 3 : columns};
-  down_ = {around.top, inside.top, inside.bottom, around.bottom, known_ == 0 ? 3 : rows};
+  const bool one = known_ == 0 && !in_cells;
+  across_ = {around.left, inside.left, inside.right, around.right, one ? 3 : columns};
+  down_ = {around.top, inside.top, inside.bottom, around.bottom, one ? 3 : rows};
   fill();
   for (const DepthSegment& s : segments) {
     if (s.pin == DepthSegment::Pin::none || !counts(s)) continue;

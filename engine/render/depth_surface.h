@@ -45,9 +45,12 @@ class DepthSurface {
   static constexpr std::size_t most_segments = 64;
 
   /// `inside` is where there is nothing but picture; the surface goes on as far as `around`. The distance is that far
-  /// from every segment, mm. Where every direction has the same depth, the picture is one cell.
+  /// from every segment, mm. Where every direction has the same depth, the picture is one cell, unless it is to be in
+  /// cells all the same.
   void build(const PlaneBounds& inside, const PlaneBounds& around, std::span<const DepthSegment> segments,
-             double distance);
+             double distance, bool in_cells = false);
+  /// Whether the picture is more than one.
+  bool in_cells() const { return across_.cells == columns; }
 
   /// 1 / depth at a point of the plane z = 1, 1 / mm, of what was built last.
   double inverse_depth(double x, double y) const { return inverse_depth(x, y, known_); }

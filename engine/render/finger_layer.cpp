@@ -61,7 +61,7 @@ void FingerLayer::record(FrameSlot& slot) {
 }
 
 void FingerLayer::draw(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
-                       const DepthSurface& surface) const {
+                       const DepthSurface& surface, std::size_t picture) const {
   if (matte_.fingers().empty()) return;
   commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.finger);
   for (std::size_t i = 0; i < matte_.fingers().size(); ++i) {
@@ -70,6 +70,7 @@ void FingerLayer::draw(const vk::raii::CommandBuffer& commands, const Layouts& l
     const Cells rows = cells_between(top, bottom, surface.down());
     if (columns.first >= columns.end || rows.first >= rows.end) continue;
     gpu::DrawData data{};
+    data.finger.y = static_cast<float>(picture);
     data.finger.x = static_cast<float>(matte_.fingers()[i].depth * metres_per_millimetre);
     commands.pushConstants<gpu::DrawData>(
         *layouts.pipeline, vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0, data);

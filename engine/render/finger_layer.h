@@ -18,9 +18,9 @@ class FingerLayer {
 
   /// Takes the matte to the GPU where it has changed.
   void record(FrameSlot& slot);
-  /// Between the models and what is written over them.
+  /// Between the models and what is written over them, for the views that see that picture.
   void draw(const vk::raii::CommandBuffer& commands, const Layouts& layouts, const Pipelines& pipelines,
-            const DepthSurface& surface) const;
+            const DepthSurface& surface, std::size_t picture) const;
 
   /// The matte, ready for sampling.
   vk::ImageView view() const { return image_.view(); }

@@ -83,20 +83,44 @@ const Pipelines& FrameRecorder::pipelines_for(const RenderTarget& target, std::u
   return *pipelines;
 }
 
-void FrameRecorder::build_surface(const FrameScene& scene, std::span<const View> views, const PictureStore& picture) {
-  data_.passthrough = picture.shown() && scene.passthrough_distance;
+void FrameRecorder::build_surfaces(const FrameScene& scene, std::span<const View> views, const SeenPictures& pictures) {
+  data_.passthrough = pictures.first.store.shown() && scene.passthrough_distance;
   if (!data_.passthrough) return;
   // From the camera's own place every depth looks the same.
   constexpr double same_place = 1e-3;  // mm
-  const bool aside = std::ranges::any_of(views, [&picture](const View& v) {
-    return norm(v.T_world_view.translation - picture.T_world_camera().translation) > same_place;
-  });
-  const auto segments = aside ? scene.passthrough_segments : std::span<const DepthSegment>{};
-  surface_.build(picture.inside(), picture.bounds(), segments, *scene.passthrough_distance);
+  bool aside = false;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const PictureStore& picture = pictures.at(pictures.of_view(i, views.size())).store;
+    aside = aside || norm(views[i].T_world_view.translation - picture.T_world_camera().translation) > same_place;
+  }
+  for (std::size_t i = 0; i < pictures.count(); ++i) build_surface(i, scene, aside, pictures, false);
+  // Views that are drawn at once have the same cells.
+  if (pictures.count() == 1 || surfaces_[0].in_cells() == surfaces_[1].in_cells()) return;
+  build_surface(surfaces_[0].in_cells() ? 1 : 0, scene, aside, pictures, true);
 }
 
-void FrameRecorder::move_views(FrameSlot& slot, std::span<const View> views, const PictureStore& picture) {
-  onestroke::move_views(data_, slot.arena, views, picture.T_world_camera());
+void FrameRecorder::build_surface(std::size_t i, const FrameScene& scene, bool aside, const SeenPictures& pictures,
+                                  bool in_cells) {
+  const PictureStore& picture = pictures.at(i).store;
+  std::array<DepthSegment, DepthSurface::most_segments> moved;
+  std::span<const DepthSegment> segments;
+  if (aside) segments = scene.passthrough_segments;
+  if (i > 0) {
+    // The segments are in the first camera's frame.
+    const Pose T_this_first = inverse(picture.T_world_camera()) * pictures.first.store.T_world_camera();
+    const std::size_t count = std::min(segments.size(), moved.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      moved[k] = segments[k];
+      moved[k].from = T_this_first * moved[k].from;
+      moved[k].to = T_this_first * moved[k].to;
+    }
+    segments = std::span(moved).first(count);
+  }
+  surfaces_[i].build(picture.inside(), picture.bounds(), segments, *scene.passthrough_distance, in_cells);
+}
+
+void FrameRecorder::move_views(FrameSlot& slot, std::span<const View> views, const SeenPictures& pictures) {
+  onestroke::move_views(data_, slot.arena, views, pictures);
 }
 
 void FrameRecorder::find_foreground(FramePass& pass, float margin_px) const {
@@ -115,10 +139,14 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
   const auto sampled = [this](vk::ImageView view) {
     return vk::DescriptorImageInfo{*sampler_, view, Layout::eShaderReadOnlyOptimal};
   };
-  const std::array images{sampled(seen.picture.view()),      sampled(glyphs_.view()),
-                          sampled(seen.picture.lens_view()), sampled(seen.lighting.view()),
-                          sampled(seen.fingers.view()),      sampled(targets_.foreground())};
+  // Where there is no second picture nobody looks it up, but there must be something.
+  const SeenPicture &first = seen.pictures.first, &second = seen.pictures.at(seen.pictures.count() - 1);
+  const std::array images{
+      sampled(first.store.view()),      sampled(second.store.view()),      sampled(glyphs_.view()),
+      sampled(first.store.lens_view()), sampled(second.store.lens_view()), sampled(seen.lighting.view()),
+      sampled(first.fingers.view()),    sampled(second.fingers.view()),    sampled(targets_.foreground())};
   // The images have neighbouring bindings, so one write fills them all.
+  static_assert(MOST_PICTURES == 2);
   static_assert(BINDING_GLYPHS == BINDING_PICTURE + 1 && BINDING_LENS == BINDING_PICTURE + 2 &&
                 BINDING_ROOM == BINDING_PICTURE + 3 && BINDING_FINGERS == BINDING_PICTURE + 4 &&
                 BINDING_FOREGROUND == BINDING_PICTURE + 5);
@@ -147,17 +175,15 @@ void FrameRecorder::write_set(const FrameSlot& slot, const Seen& seen) const {
 
 void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views,
                            const RenderTarget& target, const Seen& seen, bool views_move) {
-  plan_passes(data_, views, can_draw_together(views), seen.picture.T_world_camera());
+  plan_passes(data_, views, can_draw_together(views), seen.pictures);
   targets_.fit(target, static_cast<std::uint32_t>(data_.passes.front().view_count), slot.graveyard);
   models_.prepare(scene.instances, views);
   overlay_.build(scene, views);
-  seen.picture.record(slot);
+  for (std::size_t i = 0; i < seen.pictures.count(); ++i) seen.pictures.at(i).record(slot);
   seen.lighting.record(slot, scene);
-  seen.fingers.record(slot);
-  build_surface(scene, views, seen.picture);
+  build_surfaces(scene, views, seen.pictures);
   fill_arena(data_, device_, slot.arena,
-             {scene, views, seen.picture, seen.lighting.light(), surface_, overlay_, models_.balls(),
-              seen.fingers.matte_from_picture(seen.picture.width(), seen.picture.height())});
+             {scene, views, seen.pictures, seen.lighting.light(), surfaces_, overlay_, models_.balls()});
   gui_.put(slot.arena, scene.gui);
   write_set(slot, seen);
   FrameTargets::open(slot.commands, target);
@@ -173,7 +199,7 @@ void FrameRecorder::record(FrameSlot& slot, const FrameScene& scene, std::span<c
     slot.commands.endRendering();
     if (target.depth.image)
       depth_.record(slot.commands, target, pass, area_of(drawn.front().viewport),
-                    data_.passthrough ? &surface_ : nullptr);
+                    data_.passthrough ? &surfaces_[0] : nullptr);
   }
   FrameTargets::close(slot.commands, target);
 }
@@ -185,7 +211,8 @@ void FrameRecorder::record_foreground(const FrameSlot& slot, const FramePass& pa
   set_viewport(commands, area_of(drawn.front().viewport));
   commands.setScissor(0, pass.foreground);
   models_.record(commands, layouts_, pipelines, pass.foreground, eye_of(drawn));
-  if (data_.passthrough && scene.fingers) seen.fingers.draw(commands, layouts_, pipelines, surface_);
+  for (std::size_t i = 0; data_.passthrough && scene.fingers && i < seen.pictures.count(); ++i)
+    seen.pictures.at(i).fingers.draw(commands, layouts_, pipelines, surfaces_[i], i);
   if (const auto count = static_cast<std::uint32_t>(overlay_.lines().size())) {
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.line);
     commands.bindVertexBuffers(0, slot.arena.handle(), vk::DeviceSize{data_.lines_at});
@@ -202,7 +229,9 @@ void FrameRecorder::record_picture(const FrameSlot& slot, const FramePass& pass,
   const vk::Rect2D viewport = area_of(drawn.front().viewport);
   FrameTargets::begin_picture(commands, target, pass, viewport, data_.passthrough ? surround : scene.background);
   set_viewport(commands, viewport);
-  if (data_.passthrough) record_passthrough(slot, pipelines, seen.picture.ideal_lens());
+  const SeenPictures& pictures = seen.pictures;
+  const bool ideal = pictures.first.store.ideal_lens() && pictures.at(pictures.count() - 1).store.ideal_lens();
+  if (data_.passthrough) record_passthrough(slot, pipelines, ideal);
   if (pass.foreground.extent.width > 0) {
     commands.setScissor(0, pass.foreground);
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipelines.foreground);
@@ -214,8 +243,8 @@ void FrameRecorder::record_picture(const FrameSlot& slot, const FramePass& pass,
 
 void FrameRecorder::record_passthrough(const FrameSlot& slot, const Pipelines& pipelines, bool ideal_lens) const {
   const auto& commands = slot.commands;
-  const auto columns = static_cast<std::uint32_t>(surface_.across().cells);
-  const auto rows = static_cast<std::uint32_t>(surface_.down().cells);
+  const auto columns = static_cast<std::uint32_t>(surfaces_[0].across().cells);
+  const auto rows = static_cast<std::uint32_t>(surfaces_[0].down().cells);
   // A row of cells is an instance, two vertices begin a column.
   const auto draw = [&commands](std::uint32_t column, std::uint32_t row, std::uint32_t across, std::uint32_t down) {
     commands.draw(2 * (across + 1), down, 2 * column, row);

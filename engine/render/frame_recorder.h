@@ -2,7 +2,6 @@
 
 #include "render/depth_pass.h"
 #include "render/depth_surface.h"
-#include "render/finger_layer.h"
 #include "render/frame_data.h"
 #include "render/frame_ring.h"
 #include "render/frame_targets.h"
@@ -10,7 +9,7 @@
 #include "render/lighting.h"
 #include "render/model_pass.h"
 #include "render/overlay.h"
-#include "render/picture_store.h"
+#include "render/seen_picture.h"
 #include "render/view.h"
 
 #include <optional>
@@ -23,23 +22,24 @@ class FrameRecorder {
   /// multiview: whether views that look through equal viewports are drawn in one pass, where the driver can do that.
   FrameRecorder(Device& device, const Layouts& layouts, const ModelStore& models, bool multiview);
 
-  /// What comes from the camera's picture.
+  /// What comes from the camera.
   struct Seen {
-    PictureStore& picture;
+    SeenPictures pictures;
     Lighting& lighting;
-    FingerLayer& fingers;
   };
 
   /// views_move: whether move_views() will be called for the frame.
   void record(FrameSlot& slot, const FrameScene& scene, std::span<const View> views, const RenderTarget& target,
               const Seen& seen, bool views_move = false);
   /// Sees the frame that was recorded last from where the views are now, a little way off.
-  void move_views(FrameSlot& slot, std::span<const View> views, const PictureStore& picture);
+  void move_views(FrameSlot& slot, std::span<const View> views, const SeenPictures& pictures);
 
  private:
   bool can_draw_together(std::span<const View> views);
   const Pipelines& pipelines_for(const RenderTarget& target, std::uint32_t view_mask);
-  void build_surface(const FrameScene& scene, std::span<const View> views, const PictureStore& picture);
+  void build_surfaces(const FrameScene& scene, std::span<const View> views, const SeenPictures& pictures);
+  void build_surface(std::size_t picture, const FrameScene& scene, bool aside, const SeenPictures& pictures,
+                     bool in_cells);
   void find_foreground(FramePass& pass, float margin_px) const;
   void write_set(const FrameSlot& slot, const Seen& seen) const;
   void record_foreground(const FrameSlot& slot, const FramePass& pass, const Pipelines& pipelines,
@@ -57,7 +57,7 @@ class FrameRecorder {
   std::optional<bool> multiview_works_;  // asked when there are first two views
   ModelPass models_;
   Overlay overlay_;
-  DepthSurface surface_;
+  Surfaces surfaces_;
   FrameTargets targets_;
   DepthPass depth_;
   vk::raii::Sampler sampler_;

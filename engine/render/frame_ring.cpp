@@ -16,7 +16,7 @@ vk::raii::DescriptorPool make_descriptors(Device& device) {
                          vk::DescriptorPoolSize{Type::eUniformBuffer, frames_in_flight},
                          vk::DescriptorPoolSize{Type::eStorageBuffer, frames_in_flight},
                          vk::DescriptorPoolSize{Type::eSampledImage, frames_in_flight},
-                         vk::DescriptorPoolSize{Type::eCombinedImageSampler, 6 * frames_in_flight}};
+                         vk::DescriptorPoolSize{Type::eCombinedImageSampler, 9 * frames_in_flight}};
   return device.vk().createDescriptorPool({.maxSets = frames_in_flight,
                                            .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
                                            .pPoolSizes = sizes.data()});

@@ -134,11 +134,13 @@ vk::raii::DescriptorSetLayout frame_layout(Device& device) {
       vk::DescriptorSetLayoutBinding{BINDING_VIEWS, Type::eUniformBufferDynamic, 1, both},
       vk::DescriptorSetLayoutBinding{BINDING_SCENE, Type::eUniformBuffer, 1, both},
       vk::DescriptorSetLayoutBinding{BINDING_SURFACE, Type::eStorageBuffer, 1, ShaderStage::eVertex},
-      vk::DescriptorSetLayoutBinding{BINDING_PICTURE, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_PICTURE, Type::eCombinedImageSampler, MOST_PICTURES,
+                                     ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_GLYPHS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_LENS, Type::eCombinedImageSampler, MOST_PICTURES, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_ROOM, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
-      vk::DescriptorSetLayoutBinding{BINDING_FINGERS, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
+      vk::DescriptorSetLayoutBinding{BINDING_FINGERS, Type::eCombinedImageSampler, MOST_PICTURES,
+                                     ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_FOREGROUND, Type::eCombinedImageSampler, 1, ShaderStage::eFragment},
       vk::DescriptorSetLayoutBinding{BINDING_DEPTH, Type::eSampledImage, 1, ShaderStage::eFragment}};
   return make_set_layout(device, bindings);

@@ -47,7 +47,8 @@ gpu::ViewData view_data(const View& view, const Pose& T_world_camera) {
   return {.clip_from_world = projection * to_graphics(T_view_world),
           .clip_from_camera = projection * to_graphics(T_view_world * T_world_camera) * graphics_from_vision,
           .eye = glm::vec4(point_to_graphics(view.T_world_view.translation), 1.0F),
-          .viewport = glm::vec4(v.x, v.y, v.width, v.height)};
+          .viewport = glm::vec4(v.x, v.y, v.width, v.height),
+          .picture = glm::vec4(0.0F)};
 }
 
 }  // namespace onestroke

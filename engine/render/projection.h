@@ -11,7 +11,7 @@ namespace onestroke {
 /// infinity. Clip w is the depth in metres.
 glm::mat4 projection_of(const Fov& fov, float near_metres);
 
-/// One view's data; T_world_camera is where the passthrough picture was taken.
+/// One view's data; T_world_camera is where the picture that it sees was taken, which is the first one.
 gpu::ViewData view_data(const View& view, const Pose& T_world_camera);
 
 }  // namespace onestroke

@@ -4,6 +4,8 @@
 #include "render/frame_recorder.h"
 #include "render/target.h"
 
+#include <optional>
+
 namespace onestroke {
 
 struct Renderer::Impl {
@@ -13,7 +15,6 @@ struct Renderer::Impl {
         maker(*device, layouts),
         picture(*device),
         lighting(*device, options.room ? options.room : std::make_shared<RoomLight>()),
-        fingers(*device),
         recorder(*device, layouts, models, options.multiview),
         ring(*device, *layouts.frame) {}
 
@@ -24,17 +25,19 @@ struct Renderer::Impl {
   FrameSlot& record(const FrameScene& scene, const FrameInfo& frame, bool views_move) {
     FrameSlot& slot = ring.begin();
     models.record_uploads(slot);
-    recorder.record(slot, scene, frame.seen(), *frame.target, {picture, lighting, fingers}, views_move);
+    recorder.record(slot, scene, frame.seen(), *frame.target, {pictures(), lighting}, views_move);
     return slot;
   }
+
+  SeenPictures pictures() { return {picture, second && second->store.shown() ? &*second : nullptr}; }
 
   std::shared_ptr<Device> device;
   Layouts layouts;
   ModelMaker maker;
   ModelStore models;
-  PictureStore picture;
+  SeenPicture picture;
+  std::optional<SeenPicture> second;  // made for the first pair
   Lighting lighting;
-  FingerLayer fingers;
   FrameRecorder recorder;
   FrameRing ring;  // last: its end waits for the GPU before the rest goes
   std::string failure;
@@ -63,19 +66,32 @@ void Renderer::unload(ModelHandle model) {
 }
 
 void Renderer::set_picture(const Picture& picture, std::span<const CoveredCell> covered) {
-  impl_->picture.set(picture);
+  impl_->picture.store.set(picture);
   impl_->lighting.see(picture);
-  impl_->fingers.find(picture, covered);
+  impl_->picture.fingers.find(picture, covered);
+  if (impl_->second) impl_->second->store.clear();
+}
+
+void Renderer::set_second_picture(const Picture& picture, std::span<const CoveredCell> covered) {
+  if (!impl_->second) impl_->second.emplace(*impl_->device);
+  impl_->second->store.set(picture);
+  impl_->second->fingers.find(picture, covered);
 }
 
 void Renderer::set_picture_pose(const Pose& T_world_camera) {
-  impl_->picture.set_pose(T_world_camera);
+  PictureStore& first = impl_->picture.store;
+  const Pose T_first_world = inverse(first.T_world_camera());
+  first.set_pose(T_world_camera);
+  if (!impl_->second) return;
+  PictureStore& second = impl_->second->store;
+  second.set_pose(T_world_camera * (T_first_world * second.T_world_camera()));
 }
 
 void Renderer::clear_picture() {
-  impl_->picture.clear();
+  impl_->picture.store.clear();
   impl_->lighting.forget();
-  impl_->fingers.clear();
+  impl_->picture.fingers.clear();
+  if (impl_->second) impl_->second->store.clear();
 }
 
 template <typename Record>
@@ -100,7 +116,7 @@ bool Renderer::draw(const FrameScene& scene, const FrameInfo& frame) noexcept {
 bool Renderer::draw(const FrameScene& scene, FrameInfo& frame, Display& display) noexcept {
   const auto record = [&] {
     FrameSlot& slot = impl_->record(scene, frame, true);
-    if (display.move_views(frame)) impl_->recorder.move_views(slot, frame.seen(), impl_->picture);
+    if (display.move_views(frame)) impl_->recorder.move_views(slot, frame.seen(), impl_->pictures());
   };
   return impl_->draw(record, *frame.target);
 }

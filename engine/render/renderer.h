@@ -42,9 +42,14 @@ class Renderer {
 
   /// The camera picture for the frames from now on, at its own T_world_camera. The bytes are copied before this
   /// returns. Throws Error where the picture is not sound or a larger one finds no memory; never for pictures of the
-  /// size seen before. `covered` are the rings of sticks that something covers in it, for FrameScene::fingers.
+  /// size seen before. `covered` are the rings of sticks that something covers in it, for FrameScene::fingers. All
+  /// views see it, and the room's light is read from it.
   void set_picture(const Picture& picture, std::span<const CoveredCell> covered = {});
-  /// The pose at which the picture was taken, where it is known better than when set_picture was called.
+  /// The same for the second of a pair, after the first: where there are two views the second one sees this. The first
+  /// pair makes what two pictures need.
+  void set_second_picture(const Picture& picture, std::span<const CoveredCell> covered = {});
+  /// The pose at which the picture was taken, where it is known better than when set_picture was called; the second of
+  /// a pair goes along.
   void set_picture_pose(const Pose& T_world_camera);
   void clear_picture();
 

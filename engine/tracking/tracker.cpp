@@ -317,6 +317,7 @@ class Tracker::Impl {
     o.name.fill(0);
     std::memcpy(o.name.data(), spec.name.data(), std::min(spec.name.size(), o.name.size() - 1));
     o.velocity = in_camera(followers_[marker].velocity(), record.T_world_camera);
+    o.second_cells = 0;
     return o;
   }
 

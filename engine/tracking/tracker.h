@@ -22,17 +22,25 @@ struct TrackerOptions {
 };
 
 /// Picture in, marker poses out. Used by one thread at a time.
-class Tracker {
+class PictureTracker {
  public:
-  explicit Tracker(Catalog catalog, const TrackerOptions& options = {});
-  ~Tracker();
-  Tracker(Tracker&&) noexcept;
-  Tracker& operator=(Tracker&&) noexcept;
+  virtual ~PictureTracker() = default;
 
   /// Finds every marker of the catalogue in the picture and fills the whole record. Markers beyond
   /// max_markers_per_frame are left out, the worst first. Pictures come in the order of their times; a picture older
   /// than the last starts afresh.
-  void process(const Picture& picture, FrameRecord& record);
+  virtual void process(const Picture& picture, FrameRecord& record) = 0;
+};
+
+/// Of one camera; the second picture of a pair is not looked at.
+class Tracker final : public PictureTracker {
+ public:
+  explicit Tracker(Catalog catalog, const TrackerOptions& options = {});
+  ~Tracker() override;
+  Tracker(Tracker&&) noexcept;
+  Tracker& operator=(Tracker&&) noexcept;
+
+  void process(const Picture& picture, FrameRecord& record) override;
   const Catalog& catalog() const;
 
  private:

@@ -15,7 +15,7 @@ void pause() {
 
 }  // namespace
 
-TrackingThread::TrackingThread(Camera& camera, Tracker& tracker, Pacing pacing)
+TrackingThread::TrackingThread(Camera& camera, PictureTracker& tracker, Pacing pacing)
     : camera_(camera), tracker_(tracker), pacing_(pacing) {
   camera_thread_ = std::jthread([this](const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "camera");

@@ -21,7 +21,7 @@ class TrackingThread {
   enum class Pacing { newest, every };
 
   /// Starts at once. Camera and tracker must outlive this object and are its own until it goes.
-  TrackingThread(Camera& camera, Tracker& tracker, Pacing pacing);
+  TrackingThread(Camera& camera, PictureTracker& tracker, Pacing pacing);
   /// Stops both threads and gives every picture back.
   ~TrackingThread();
   TrackingThread(const TrackingThread&) = delete;
@@ -54,7 +54,7 @@ class TrackingThread {
   void publish(const std::stop_token& stop, PictureHandle picture, const FrameRecord& record);
 
   Camera& camera_;
-  Tracker& tracker_;
+  PictureTracker& tracker_;
   const Pacing pacing_;
   LatestExchange<PictureHandle> newest_, fresh_;
   SpscQueue<PictureHandle> pictures_{2};

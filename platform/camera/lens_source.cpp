@@ -12,6 +12,10 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
+bool near_middle(double place, int size) {
+  return place > 0.3 * size && place < 0.7 * size;
+}
+
 cv::FileStorage open_storage(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw Error("calibration " + file.string() + " is not there; give a file that `onestroke calibrate camera` wrote");
@@ -72,6 +76,14 @@ LensSource::LensSource(const std::filesystem::path& calibration, std::optional<d
 
 Intrinsics LensSource::intrinsics(int width, int height, const std::string& pictures) const {
   if (!calibrated_) return Intrinsics::from_fov(width, height, fov_rad_.value());
+  if (width_ == 0) {
+    if (!near_middle(calibrated_->cx, width) || !near_middle(calibrated_->cy, height)) {
+      throw Error("calibration " + file_.string() + " is for pictures of another size than " + pictures + " has, " +
+                  size_text(width, height) +
+                  ": its principal point lies far from their middle; calibrate at that size");
+    }
+    return *calibrated_;
+  }
   if (width != width_ || height != height_) {
     throw Error("calibration " + file_.string() + " is for pictures of " + size_text(width_, height_) + ", but " +
                 pictures + " has " + size_text(width, height) + "; calibrate at that size");

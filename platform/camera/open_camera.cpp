@@ -19,13 +19,16 @@ std::unique_ptr<Camera> open_synthetic(const std::string& settings, const Camera
   if (!synthetic.readout_ms && options.readout.ns != 0) synthetic.readout_ms = options.readout.ms();
   if (options.fov_rad) synthetic.fov_deg = *options.fov_rad * 180 / std::numbers::pi;
   std::optional<Intrinsics> lens;
-  if (!options.calibration.empty()) {
+  if (options.lens) {
+    lens = options.lens->intrinsics(synthetic.width, synthetic.height, "the synthetic camera");
+  } else if (!options.calibration.empty()) {
     lens = LensSource(options.calibration, {}).intrinsics(synthetic.width, synthetic.height, "the synthetic camera");
   }
-  return make_synthetic_camera(synthetic, *options.catalog, lens, options.mount);
+  return make_synthetic_camera(synthetic, *options.catalog, lens, options.mount, options.rig);
 }
 
 LensSource lens_of(const CameraOptions& options) {
+  if (options.lens) return *options.lens;
   LensSource lens(options.calibration, options.fov_rad);
   if (!lens.known()) {
     throw Error("camera " + options.spec +

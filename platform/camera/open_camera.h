@@ -1,6 +1,8 @@
 #pragma once
 
+#include "camera/lens_source.h"
 #include "camera/live_options.h"
+#include "camera/synthetic_camera.h"
 #include "core/camera.h"
 #include "core/head_tracker.h"
 #include "marker/catalog.h"
@@ -22,6 +24,8 @@ struct CameraOptions {
   const Catalog* catalog = nullptr;   ///< The markers that the synthetic camera shows; read while opening only.
   LiveOptions live{};                 ///< For `libcamera` alone.
   HeadMount mount{};                  ///< Whose head the synthetic camera sees from; outlives the camera.
+  std::optional<LensSource> lens{};   ///< What is known of the lens already; in place of fov_rad and calibration.
+  SyntheticRig rig{};                 ///< Where the synthetic camera sits among others.
 };
 
 /// Opens a camera. Folders, videos and live cameras need a field of view or a calibration; the synthetic camera brings

@@ -78,14 +78,17 @@ Room make_room(const SyntheticOptions& options, const Intrinsics& k, double head
 class SyntheticCamera : public Camera {
  public:
   SyntheticCamera(const SyntheticOptions& options, const Catalog& catalog, const Intrinsics& intrinsics,
-                  const HeadMount& mount)
+                  const HeadMount& mount, const SyntheticRig& rig)
       : options_(options),
         mount_(mount),
+        T_first_camera_(rig.T_first_camera * Pose{{}, {options.right_mm, 0, 0}}),
         rods_(make_rods(options, catalog)),
         script_(options, pointers(rods_)),
-        room_(make_room(options, intrinsics, mount.head ? any_turn : script_.head_turn())),
+        room_(make_room(options, intrinsics,
+                        mount.head ? any_turn : script_.head_turn() + angle_between(T_first_camera_.rotation, {}))),
         renderer_(options.threads),
-        pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)) {
+        pool_(buffers, 3 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)),
+        began_(rig.live_since) {
     frame_.intrinsics = intrinsics;
     frame_.width = options.width;
     frame_.height = options.height;
@@ -157,7 +160,7 @@ class SyntheticCamera : public Camera {
     for (std::size_t k = 0; k < at.size(); ++k) {
       at[k] = start.seconds() + span.seconds() * static_cast<double>(k) / (PosePath::knots - 1);
       head[k] = mount_.head ? seen_by_head(turn + static_cast<std::int64_t>(k) * span / (PosePath::knots - 1))
-                            : script_.T_world_camera(at[k]);
+                            : script_.T_world_camera(at[k]) * T_first_camera_;
       T_camera_world[k] = inverse(head[k]);
     }
     frame_.T_world_camera = PosePath(head);
@@ -171,7 +174,13 @@ class SyntheticCamera : public Camera {
         frame_.fingers[hand * script_.capsules() + c].T_camera_finger = PosePath(poses);
       }
     }
-    frame_.noise_seed = scramble(options_.seed) + next_ * 0x10001;
+    frame_.noise_seed = scramble(options_.seed + place_seed()) + next_ * 0x10001;
+  }
+
+  /// No two sensors have the same noise.
+  std::uint64_t place_seed() const {
+    const Vec3 t = T_first_camera_.translation;
+    return static_cast<std::uint64_t>(std::llround(1e3 * norm(t)));
   }
 
   /// Where the head is lost it stays.
@@ -205,6 +214,7 @@ class SyntheticCamera : public Camera {
 
   SyntheticOptions options_;
   HeadMount mount_;
+  const Pose T_first_camera_;
   Pose T_world_head_camera_ = mount_.T_head_camera;
   std::vector<std::unique_ptr<const Rod>> rods_;
   HandScript script_;
@@ -220,12 +230,13 @@ class SyntheticCamera : public Camera {
 }  // namespace
 
 std::unique_ptr<Camera> make_synthetic_camera(const SyntheticOptions& options, const Catalog& catalog,
-                                              const std::optional<Intrinsics>& intrinsics, const HeadMount& mount) {
+                                              const std::optional<Intrinsics>& intrinsics, const HeadMount& mount,
+                                              const SyntheticRig& rig) {
   return std::make_unique<SyntheticCamera>(
       options, catalog,
       intrinsics.value_or(
           Intrinsics::from_fov(options.width, options.height, options.fov_deg * std::numbers::pi / 180)),
-      mount);
+      mount, rig);
 }
 
 }  // namespace onestroke

@@ -87,7 +87,7 @@ void read_ids(SyntheticOptions& o, std::string_view key, std::string_view value)
 
 using Reader = void (*)(SyntheticOptions&, std::string_view key, std::string_view value);
 
-constexpr std::array<std::pair<std::string_view, Reader>, 22> readers{{
+constexpr std::array<std::pair<std::string_view, Reader>, 23> readers{{
     {"width", [](auto& o, auto k, auto v) { o.width = small(k, v, 16, 8192); }},
     {"height", [](auto& o, auto k, auto v) { o.height = small(k, v, 16, 8192); }},
     {"fov_deg", [](auto& o, auto k, auto v) { o.fov_deg = number(k, v, 5, 140); }},
@@ -103,6 +103,7 @@ constexpr std::array<std::pair<std::string_view, Reader>, 22> readers{{
     {"ids", read_ids},
     {"fingers", [](auto& o, auto k, auto v) { o.fingers = small(k, v, 0, 2); }},
     {"head", [](auto& o, auto k, auto v) { o.head = small(k, v, 0, 1) == 1; }},
+    {"right_mm", [](auto& o, auto k, auto v) { o.right_mm = number(k, v, -1000, 1000); }},
     {"exposure_ms", [](auto& o, auto k, auto v) { o.exposure_ms = number(k, v, 0, 1000); }},
     {"readout_ms", [](auto& o, auto k, auto v) { o.readout_ms = number(k, v, 0, 1000); }},
     {"noise", [](auto& o, auto k, auto v) { o.noise = number(k, v, 0, 64); }},

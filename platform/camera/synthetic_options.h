@@ -43,6 +43,8 @@ struct SyntheticOptions {
   int fingers = 0;                         ///< A hand, 0 to 2.
   std::optional<bool> head;                ///< Whether the head moves; by itself it does in scripts of two hands.
 
+  double right_mm = 0;  ///< How far to its right, along its own x axis, the camera is moved.
+
   double exposure_ms = 0;
   std::optional<double> readout_ms;
   double noise = 1.5;  ///< Levels of 255 at mid grey.

@@ -61,8 +61,8 @@ class ScriptedHeadTest : public testing::Test {
     ring = renderer->load(golden::torus(0.02F, 0.006F, {}));
     settle();
     const SyntheticOptions still = parse_synthetic_options("script=still,distance=400,fps=12,live=1");
-    source = make_synthetic_camera(still, catalog, std::nullopt, {&head, T_head_camera});
-    camera.emplace(*source, HeadMount{&display, T_head_camera});
+    camera.emplace(make_synthetic_camera(still, catalog, std::nullopt, {&head, T_head_camera}),
+                   HeadMount{&display, T_head_camera});
   }
   ~ScriptedHeadTest() override {
     display.finish();
@@ -97,7 +97,6 @@ class ScriptedHeadTest : public testing::Test {
   OpenXrDisplay display;
   std::optional<Renderer> renderer;
   ModelHandle ring{};
-  std::unique_ptr<Camera> source;
   std::optional<HeadCamera> camera;
 };
 
@@ -106,7 +105,7 @@ TEST_F(ScriptedHeadTest, ModelsStayOnTheStick) {
   Tracker tracker(catalog);
   PictureHandle first;
   ASSERT_EQ(camera->next(first), Camera::Status::ok);
-  const Pose T_world_stick = first->T_world_camera * source->truth(*first)[0].T_camera_marker;
+  const Pose T_world_stick = first->T_world_camera * camera->truth(*first)[0].T_camera_marker;
   first.reset();
 
   TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::newest);

@@ -59,6 +59,17 @@ TEST_F(SessionProgram, IsShownAgainForTwoEyesAndFromAnywhere) {
   expect_same_pictures("film", "again", 4);
 }
 
+TEST_F(SessionProgram, BothCamerasOfAPairAreShownAgain) {
+  const Ended first =
+      run(demo + "--second-camera synthetic --baseline-mm 64 --stereo --display offscreen:film --frames 8");
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(first.err, "") << "nothing to say for validation either";
+  EXPECT_GT(count_in("film/session.jsonl", "second_cells"), 2) << "both cameras saw sticks";
+  const Ended again = run("run --replay film/session.jsonl --display offscreen:again");
+  EXPECT_EQ(again.code, 0) << again.err;
+  expect_same_pictures("film", "again", 8);
+}
+
 TEST_F(SessionProgram, ACutLogIsShownAsFarAsItGoes) {
   ASSERT_EQ(run(demo + "--display offscreen:film --frames 4").code, 0);
   const std::string whole = read("film/session.jsonl");

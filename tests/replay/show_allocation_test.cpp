@@ -2,8 +2,9 @@
 #include "allocation/allocation_counter.h"
 #include "app/frame_feed.h"
 #include "app/show.h"
-#include "camera/open_camera.h"
+#include "app/source.h"
 #include "display/offscreen.h"
+#include "tracking/stereo_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -27,20 +28,26 @@ void make_room_for_words(Display& display, Renderer& renderer) {
   }
 }
 
-TEST(Show, AllocatesNothingOnceWarm) {
+/// Of one eye, or of two whose pictures are a pair.
+class WarmShow : public testing::TestWithParam<int> {};
+
+TEST_P(WarmShow, AllocatesNothing) {
+  const int eyes = GetParam();
   const Catalog catalog = load_catalog(assets / "catalog.json");
   // A stick in front of the camera from the first picture on, with its model and its label.
-  const auto camera = open_camera({.spec = "synthetic:script=turn_y,step_deg=2,width=640,height=480,fov_deg=35",
-                                   .fov_rad = {},
-                                   .calibration = {},
-                                   .readout = {},
-                                   .catalog = &catalog});
+  SourceOptions source;
+  source.camera = "synthetic:script=turn_y,step_deg=2,width=640,height=480,fov_deg=35";
+  if (eyes == 2) {
+    source.second_camera = "synthetic";
+    source.baseline_mm = 64;
+  }
+  const auto camera = open_source(source, catalog);
   {
-    OffscreenDisplay display({.width = 320, .height = 240});
+    OffscreenDisplay display({.width = eyes * 320, .height = 240, .views = eyes});
     Graphics graphics(display,
                       {.catalog = catalog, .catalog_file = assets / "catalog.json", .models_first = true, .gpu = {}});
     make_room_for_words(display, graphics.renderer());
-    Tracker tracker(catalog);
+    StereoTracker tracker(catalog);
     TrackingThread tracking(*camera, tracker, TrackingThread::Pacing::every);
     FrameFeed feed(tracking, Feed::Pace::each, PictureTime::exposure);
     SessionLog log(testing::TempDir() + "onestroke-show-allocation.jsonl", {});
@@ -58,6 +65,8 @@ TEST(Show, AllocatesNothingOnceWarm) {
     std::filesystem::remove(log.file());
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Eyes, WarmShow, testing::Values(1, 2));
 
 TEST(DesktopHud, AllocatesNothingAfterItsConstructor) {
   DesktopHud hud;

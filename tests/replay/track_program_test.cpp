@@ -34,6 +34,23 @@ class TrackProgram : public ProgramTest {
                             demo_catalog + " --independent --frames 6 ";
 };
 
+TEST_F(TrackProgram, TellsWhatTwoCamerasSeeTogether) {
+  const Ended ended = run(stick + "--second-camera synthetic --baseline-mm 64 --output poses.jsonl");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::vector<json> lines = lines_of(read("poses.jsonl"));
+  ASSERT_EQ(lines.size(), 6u);
+  for (const json& line : lines) {
+    ASSERT_EQ(line["markers"].size(), 1u);
+    const json& marker = line["markers"][0];
+    EXPECT_EQ(marker["state"], "measured");
+    EXPECT_GT(marker["cells_seen"].get<int>(), 30);
+    EXPECT_GT(marker["second_cells"].size(), 30u);
+  }
+  const Ended alone = run("track --camera folder:nowhere --side-by-side --fov 60 --catalog " + demo_catalog);
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("where the second camera sits is unknown"));
+}
+
 TEST_F(TrackProgram, WritesALineAndADrawingAPicture) {
   const Ended ended = run(stick + "--output poses.jsonl --overlay drawn");
   EXPECT_EQ(ended.code, 0) << ended.err;

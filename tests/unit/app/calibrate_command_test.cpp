@@ -77,7 +77,7 @@ class CalibrateCommand : public test::FolderTest {
     for (int i = 0; i < 600; ++i) {
       FrameRecord record = record_at(i, nod);
       record.T_world_camera = record.T_world_camera * guess_T_head_camera;
-      out << session_line(frame, session_text(record), lens) << '\n';
+      out << session_line(frame, {.record = session_text(record), .lens = lens, .second = {}}) << '\n';
     }
   }
   int calibrate(const std::string& headset, std::ostream& out) const {

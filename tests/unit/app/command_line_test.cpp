@@ -74,6 +74,42 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(run.seconds, 2.5);
 }
 
+TEST(CommandLine, TwoCamerasAreTwoOrOneThatShowsBoth) {
+  const auto run = parsed<RunOptions>("run --camera file:l.mp4 --second-camera file:r.mp4 --rig stereo.yml");
+  EXPECT_EQ(run.source.second_camera, "file:r.mp4");
+  EXPECT_EQ(run.source.rig, "stereo.yml");
+  EXPECT_FALSE(run.source.side_by_side || run.source.baseline_mm);
+  EXPECT_TRUE(run.source.pair());
+  const auto track =
+      parsed<TrackOptions>("track --camera folder:a --side-by-side --baseline-mm 63.5 --fov 90 --catalog c.db");
+  EXPECT_TRUE(track.source.side_by_side);
+  EXPECT_EQ(track.source.baseline_mm, 63.5);
+  EXPECT_TRUE(track.source.pair());
+  EXPECT_FALSE(parsed<RunOptions>("run").source.pair());
+  EXPECT_EQ(parsed<RunOptions>("run --second-camera synthetic --baseline-mm 64").source.second_camera, "synthetic");
+  EXPECT_EQ(parsed<RunOptions>("run --replay a.jsonl --camera file:l --second-camera file:r").source.second_camera,
+            "file:r");
+}
+
+TEST(CommandLine, HalfAPairIsRefused) {
+  for (const auto& [line, what] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"run --baseline-mm 64", "--baseline-mm is for two cameras: add --second-camera SPEC or --side-by-side"},
+           {"run --rig stereo.yml", "--rig is for two cameras"},
+           {"run --second-camera synthetic", "where the second camera sits is unknown: give --rig FILE.yaml or"},
+           {"track --camera folder:a --side-by-side --fov 60 --catalog c", "where the second camera sits is unknown"},
+           {"run --side-by-side --baseline-mm 64", "give --second-camera synthetic in place of --side-by-side"},
+           {"run --camera file:a --second-camera file:b --baseline-mm 64", "the lens of file:a is unknown"},
+           {"run --second-camera file:b --baseline-mm 64", "the lens of file:b is unknown"},
+           {"run --second-camera synthetic --side-by-side --baseline-mm 64", "--second-camera excludes --side-by-side"},
+           {"run --second-camera synthetic --rig a.yml --baseline-mm 64", "--rig excludes --baseline-mm"},
+           {"run --second-camera synthetic --baseline-mm 2", "from 5 to 1000 millimetres"},
+           {"run --second-camera webcam --baseline-mm 64",
+            "must be synthetic[:KEY=VALUE,...], libcamera[:NAME], file:VIDEO"},
+           {"run --replay a.jsonl --second-camera file:b", "give --camera with it"},
+           {"run --replay a.jsonl --baseline-mm 64", "the log knows how its two cameras sat"}})
+    EXPECT_THAT(refusal(line), AllOf(HasSubstr(what), HasSubstr("--help"))) << line;
+}
+
 TEST(CommandLine, SaysHowAConnectedCameraTakesItsPictures) {
   const LiveOptions live = parsed<TrackOptions>(
                                "track --camera libcamera:Logitech --fov 78 --catalog c.db --size 1280x720 --format "

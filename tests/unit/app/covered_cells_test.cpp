@@ -51,6 +51,24 @@ TEST_F(Covered, AreThoseThatAreNotSeen) {
   }
 }
 
+TEST_F(Covered, AreInTheSecondPictureThoseThatItDoesNotShow) {
+  record->T_world_camera = {exp_so3({0, 0.3, 0}), {10, 0, 0}};
+  Picture second = picture;
+  const Pose T_first_second{exp_so3({0, 0.05, 0}), {64, 0, 0}};
+  second.T_world_camera = record->T_world_camera * T_first_second;
+  EXPECT_TRUE(covered.find_in_second(*record, second).empty()) << "nothing is known of it there";
+  const std::uint64_t all = (1ULL << cells()) - 1;
+  marker().second_cells = all & ~(0b1111ULL << 5);
+  const auto found = covered.find_in_second(*record, second);
+  ASSERT_EQ(found.size(), 4U);
+  const MarkerSpec& spec = catalog.markers.front();
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Vec3 cell = spec.shape.at((5.5 + static_cast<double>(i)) * spec.shape.pitch()).position;
+    EXPECT_LT(norm(T_first_second * found[i].at - marker().T_camera_marker * cell), 1e-9);
+  }
+  EXPECT_TRUE(covered.find(*record, picture).empty()) << "the first one shows all";
+}
+
 TEST_F(Covered, AreNotSingleOnesThatGlare) {
   see_all_but(5, 6);
   EXPECT_TRUE(covered.find(*record, picture).empty());

@@ -28,9 +28,8 @@ void expect_same(const Pose& a, const Pose& b) {
 const Pose mount{exp_so3({-0.1, 0, 0.05}), {12, -30, 60}};
 
 TEST(HeadCamera, PicturesAreWhereTheHeadWasWhenTheyWereExposed) {
-  CountingCamera camera(4);
   const Walker head({0}, {1'000'000'000});
-  HeadCamera worn(camera, {&head, mount});
+  HeadCamera worn(std::make_unique<CountingCamera>(4), {&head, mount});
   PictureHandle picture;
   for (int i = 0; i < 4; ++i) {
     ASSERT_EQ(worn.next(picture), Camera::Status::ok);
@@ -40,9 +39,8 @@ TEST(HeadCamera, PicturesAreWhereTheHeadWasWhenTheyWereExposed) {
 }
 
 TEST(HeadCamera, StaysWhereTheHeadWasKnownLast) {
-  CountingCamera camera(4);
   const Walker head({5'000'000}, {15'000'000});
-  HeadCamera worn(camera, {&head, mount});
+  HeadCamera worn(std::make_unique<CountingCamera>(4), {&head, mount});
   PictureHandle picture;
   ASSERT_EQ(worn.next(picture), Camera::Status::ok);
   expect_same(picture->T_world_camera, mount);

@@ -34,6 +34,18 @@ const FrameFigures figures{
     .latency = Latency{Duration::from_ms(11.4), Duration::from_ms(15.2), Duration::from_ms(23.4)},
     .left_out = 3};
 
+TEST(HudWords, CountTheCellsOfEachEye) {
+  FrameRecord record;
+  add(record, "both", MarkerState::measured, 31, {0, 0, 500});
+  add(record, "right eye's", MarkerState::measured, 0, {0, 0, 300});
+  record.markers[0].second_cells = 0xffff;
+  record.markers[1].second_cells = 0b1011;
+  HudWords words(true);
+  words.update(record, figures);
+  EXPECT_EQ(row(words.markers()[0]), "both|measured|31 + 16 cells|500 mm");
+  EXPECT_EQ(row(words.markers()[1]), "right eye's|measured|0 + 3 cells|300 mm");
+}
+
 TEST(HudWords, SayARowAMarker) {
   FrameRecord record;
   add(record, "bracket v1", MarkerState::measured, 31, {30, 40, 500});

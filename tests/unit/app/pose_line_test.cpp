@@ -31,6 +31,13 @@ FrameRecord record_of_one() {
   return record;
 }
 
+TEST(PoseLine, NamesTheCellsThatTheSecondCameraSees) {
+  FrameRecord record = record_of_one();
+  EXPECT_FALSE(Json::parse(pose_line({}, record))["markers"][0].contains("second_cells"));
+  record.markers[0].second_cells = 1ULL << 63 | 1ULL << 5 | 1;
+  EXPECT_EQ(Json::parse(pose_line({}, record))["markers"][0]["second_cells"], (Json{0, 5, 63}));
+}
+
 TEST(PoseLine, HasTheDocumentedForm) {
   Picture picture;
   picture.source = "sphere_00.jpg";

@@ -52,6 +52,7 @@ inline FrameRecord any_record(AnyDoubles& any, int markers) {
     m.T_camera_marker = any.pose();
     for (double& c : m.covariance) c = any();
     m.velocity = {any.vector(), any.vector()};
+    m.second_cells = any.bits();
     m.cells_seen = static_cast<int>(any.bits() % (max_cells_per_marker + 1));
     for (int c = 0; c < m.cells_seen; ++c)
       m.cells[static_cast<std::size_t>(c)] = {static_cast<int>(any.bits() % 64), any(), any()};
@@ -73,6 +74,7 @@ inline std::vector<std::uint64_t> bits_of(const FrameRecord& record) {
   for (const MarkerObservation& m : record.seen()) {
     for (const int n : {m.id, static_cast<int>(m.state), m.cells_seen}) bits.push_back(static_cast<std::uint64_t>(n));
     for (const char c : m.name) bits.push_back(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    bits.push_back(m.second_cells);
     add_pose(m.T_camera_marker);
     add_vector(m.velocity.angular), add_vector(m.velocity.linear);
     for (const double c : m.covariance) add(c);

@@ -74,6 +74,34 @@ TEST_F(SessionLogTest, RecordsComeBackBitForBit) {
   EXPECT_EQ(session.note(), "");
 }
 
+TEST_F(SessionLogTest, TheSecondPictureComesBackWhileThereIsOne) {
+  SecondLens second;
+  second.width = 320;
+  second.height = 240;
+  second.intrinsics = Intrinsics::from_fov(320, 240, 0.7);
+  second.T_first_second = {exp_so3({0.1, 0.2, 0.3}), {64, 1.0 / 3, 0}};
+  {
+    SessionLog log(file, plain);
+    log.add({}, Time{1}, true, lens);
+    for (const std::int64_t frame : {2, 3}) log.add({}, Time{frame}, true, lens, second);
+    log.add({}, Time{4}, true, lens);
+  }
+  const std::string text = content();
+  std::size_t said = 0;
+  for (std::size_t at = text.find("\"second\""); at != std::string::npos; at = text.find("\"second\"", at + 1)) ++said;
+  EXPECT_EQ(said, 2u) << "where it is new, and where it is gone";
+  SessionReader session(file);
+  for (const int width : {0, 320, 320, 0}) {
+    const SessionFrame* frame = session.next();
+    ASSERT_NE(frame, nullptr);
+    ASSERT_EQ(frame->second.width, width);
+    if (width == 0) continue;
+    EXPECT_EQ(frame->second.intrinsics.fx, second.intrinsics.fx);
+    EXPECT_EQ(frame->second.T_first_second.translation, second.T_first_second.translation);
+    EXPECT_EQ(frame->second.T_first_second.rotation.z, second.T_first_second.rotation.z);
+  }
+}
+
 TEST_F(SessionLogTest, NoNumbersComeBackAsNone) {
   FrameRecord record;
   record.marker_count = 1;
@@ -94,6 +122,10 @@ TEST_F(SessionLogTest, TheHeaderComesBack) {
                              .fov_deg = 62.1,
                              .calibration = "/lens.yaml",
                              .readout_ms = 1.0 / 3,
+                             .second_camera = "file:/r.mp4",
+                             .side_by_side = true,
+                             .rig = "/rig.yml",
+                             .baseline_mm = 63.1,
                              .rate = 29.97,
                              .stereo = true,
                              .fingers = false,
@@ -108,6 +140,10 @@ TEST_F(SessionLogTest, TheHeaderComesBack) {
   EXPECT_EQ(read.fov_deg, header.fov_deg);
   EXPECT_EQ(read.calibration, header.calibration);
   EXPECT_EQ(read.readout_ms, header.readout_ms);
+  EXPECT_EQ(read.second_camera, header.second_camera);
+  EXPECT_TRUE(read.side_by_side);
+  EXPECT_EQ(read.rig, header.rig);
+  EXPECT_EQ(read.baseline_mm, header.baseline_mm);
   EXPECT_EQ(read.rate, header.rate);
   EXPECT_TRUE(read.stereo);
   EXPECT_FALSE(read.fingers);

@@ -1,5 +1,6 @@
 #include "app/session_options.h"
 
+#include "core/error.h"
 #include "session_example.h"
 
 #include <gmock/gmock.h>
@@ -53,6 +54,25 @@ TEST(SessionOptions, AReplayIsAsTheLogSays) {
   EXPECT_EQ(options.frames, 5);
   given.source.camera = "file:other.mp4";
   EXPECT_EQ(replay_options(header, given).source.camera, "file:other.mp4");
+}
+
+TEST(SessionOptions, AReplayHasBothCamerasOfThePair) {
+  RunOptions live;
+  live.source.camera = "file:l.mp4";
+  live.source.second_camera = "synthetic:live=1";
+  live.source.rig = "stereo.yml";
+  const SessionHeader header = session_header(live, 30, std::nullopt);
+  EXPECT_EQ(header.rig, (fs::current_path() / "stereo.yml").string());
+  RunOptions given;
+  given.source.camera.clear();
+  EXPECT_EQ(replay_options(header, given).source.second_camera, "synthetic:live=0");
+  EXPECT_EQ(replay_options(header, given).source.rig, header.rig);
+  given.source.camera = "file:other.mp4";
+  EXPECT_FALSE(replay_options(header, given).source.pair()) << "the other camera's eye is not there";
+  given.source.second_camera = "file:other_right.mp4";
+  EXPECT_EQ(replay_options(header, given).source.second_camera, "file:other_right.mp4");
+  EXPECT_EQ(replay_options(header, given).source.rig, header.rig);
+  EXPECT_THROW(replay_options({.camera = "file:l.mp4"}, given), UsageError);
 }
 
 class UsualLog : public test::FolderTest {

@@ -11,8 +11,12 @@
 namespace onestroke {
 namespace {
 
-TEST(Renderer, AllocatesNothingOnceWarm) {
-  OffscreenDisplay display({.width = 320, .height = 240, .views = 1});
+/// Of one view, or of two that see a pair of pictures.
+class WarmRenderer : public testing::TestWithParam<int> {};
+
+TEST_P(WarmRenderer, AllocatesNothing) {
+  const int views = GetParam();
+  OffscreenDisplay display({.width = views * 320, .height = 240, .views = views});
   Gpu gpu({.needs = display.needs()});
   display.attach(gpu);
   Renderer renderer(gpu);
@@ -37,6 +41,7 @@ TEST(Renderer, AllocatesNothingOnceWarm) {
     display.begin(frame);
     const long before = test::allocations_of_this_thread();
     renderer.set_picture(chart.picture);
+    if (views == 2) renderer.set_second_picture(chart.picture);
     const bool drawn = renderer.draw(scene, frame);
     if (i >= 6) allocations += test::allocations_of_this_thread() - before;
     ASSERT_TRUE(drawn) << renderer.failure();
@@ -45,6 +50,8 @@ TEST(Renderer, AllocatesNothingOnceWarm) {
   display.finish();
   EXPECT_EQ(allocations, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Views, WarmRenderer, testing::Values(1, 2));
 
 }  // namespace
 }  // namespace onestroke

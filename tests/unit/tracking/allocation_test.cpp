@@ -2,6 +2,7 @@
 
 #include "allocation/allocation_counter.h"
 #include "scene_fixture.h"
+#include "tracking/stereo_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,27 @@ TEST(TrackerAllocation, FollowingAllocatesNothingOnceWarm) {
 // Each picture is older than the one before, so that the tracker starts afresh.
 TEST(TrackerAllocation, LookingForNewcomersAllocatesNothingOnceWarm) {
   EXPECT_EQ(allocations(swing(catalog_of(6)), -1000), 0);
+}
+
+// On both trackers' threads.
+TEST(StereoTrackerAllocation, FollowingAllocatesNothingOnceWarm) {
+  const std::vector<Shot> shots = swing(catalog_of(6));
+  StereoTracker tracker(catalog_of(6));
+  const auto record = std::make_unique<FrameRecord>();
+  long before = 0;
+  for (std::size_t i = 0; i < 6 * round_of; ++i) {
+    if (i == 2 * round_of) before = allocations_of_all_threads();
+    const auto ms = static_cast<std::int64_t>(i) * 33;
+    // The second camera sits where the first one does.
+    const Picture second = shots[i % round_of].picture(ms);
+    Picture first = second;
+    first.second = &second;
+    tracker.process(first, *record);
+    if (i >= 2 * round_of) {
+      EXPECT_EQ(record->marker_count, 2);
+    }
+  }
+  EXPECT_EQ(allocations_of_all_threads(), before);
 }
 
 TEST(AllocationCounter, Counts) {
