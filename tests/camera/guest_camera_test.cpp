@@ -130,15 +130,35 @@ TEST(LiveCamera, SetsWhatIsAsked) {
   for (const json& picture : taken.pictures) EXPECT_EQ(picture["length_ns"], 8'000'000);
 }
 
+Time time_of(const json& event) {
+  return Time{event["time_ns"].get<std::int64_t>()};
+}
+
+/// When a line with these words was said, on this machine's clock.
+Time said_at(const GuestRun& taken, const std::string& words) {
+  const auto line = std::ranges::find_if(taken.said, [&](const json& l) {
+    return l.contains("said") && l["said"].get<std::string>().find(words) != std::string::npos;
+  });
+  return line == taken.said.end() ? Time{} : taken.on_this_machine(time_of(*line));
+}
+
+void expect_soon(const char* what, Duration span, double least_seconds, double most_seconds) {
+  std::cout << what << " after " << span.seconds() << " s\n";
+  EXPECT_GE(span.seconds(), least_seconds);
+  EXPECT_LE(span.seconds(), most_seconds);
+}
+
 TEST(LiveCamera, ComesBackWhenPluggedInAgain) {
   const GuestRun taken =
       run(yuyv + "--loop --unplug-after 40 --replug-after 1", take + "--exposure-ms 8 --count 90 --seconds 30");
   ASSERT_EQ(taken.code, 0) << taken.output;
-  EXPECT_EQ(taken.events_of("plug").size(), 2u);
-  EXPECT_EQ(taken.pictures.size(), 90u);
+  ASSERT_EQ(taken.events_of("plug").size(), 2u);
+  ASSERT_EQ(taken.pictures.size(), 90u);
   expect_played(taken);
   EXPECT_EQ(taken.times_said("is gone"), 1u);
   EXPECT_EQ(taken.times_said("gives pictures again"), 1u);
+  expect_soon("gone", said_at(taken, "is gone") - time_of(taken.events_of("unplug").front()), 0, 2);
+  expect_soon("back", said_at(taken, "gives pictures again") - time_of(taken.events_of("plug").back()), 0, 5);
   // The camera may have forgotten.
   const auto exposures =
       std::ranges::count(taken.events, "exposure_100us", [](const json& e) { return e.value("name", ""); });
@@ -148,11 +168,14 @@ TEST(LiveCamera, ComesBackWhenPluggedInAgain) {
 TEST(LiveCamera, StartsASilentCameraAgain) {
   const GuestRun taken = run(yuyv + "--loop --hang-after 40 --hang-for 5", take + "--count 90 --seconds 30");
   ASSERT_EQ(taken.code, 0) << taken.output;
-  EXPECT_EQ(taken.events_of("resume").size(), 1u);
-  EXPECT_EQ(taken.pictures.size(), 90u);
+  ASSERT_EQ(taken.events_of("resume").size(), 1u);
+  ASSERT_EQ(taken.pictures.size(), 90u);
   expect_played(taken);
   EXPECT_EQ(taken.times_said("has sent nothing"), 1u);
   EXPECT_EQ(taken.times_said("gives pictures again"), 1u);
+  // It is patient for two seconds.
+  expect_soon("noticed", said_at(taken, "has sent nothing") - time_of(taken.events_of("hang").front()), 1.9, 4);
+  expect_soon("back", said_at(taken, "gives pictures again") - time_of(taken.events_of("resume").front()), 0, 5);
 }
 
 /// Every tenth was cut; none of those is given, and all that are missing are counted.

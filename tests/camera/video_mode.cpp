@@ -4,19 +4,25 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <regex>
 
 namespace onestroke::usb {
 namespace {
 
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  std::vector<std::uint8_t> bytes(in ? static_cast<std::size_t>(in.tellg()) : 0);
+  in.seekg(0);
+  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!in) throw Error(file.string() + " cannot be read; check that you may");
+  return bytes;
+}
+
 std::vector<PlayedPicture> read_folder(const std::filesystem::path& folder) {
   std::vector<PlayedPicture> pictures;
   std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
-    std::ifstream in(entry.path(), std::ios::binary);
-    pictures.push_back({entry.path().filename().string(), {std::istreambuf_iterator<char>(in), {}}});
-  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+    pictures.push_back({entry.path().filename().string(), read_file(entry.path())});
   if (failed || pictures.empty()) throw Error(folder.string() + " holds no pictures; give a folder that does");
   std::ranges::sort(pictures, {}, &PlayedPicture::name);
   return pictures;
