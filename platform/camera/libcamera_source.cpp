@@ -16,16 +16,16 @@
 namespace onestroke {
 namespace {
 
-using Camera_ = std::shared_ptr<libcamera::Camera>;
+using CameraPointer = std::shared_ptr<libcamera::Camera>;
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
-std::string words_of(const std::vector<Camera_>& cameras) {
+std::string words_of(const std::vector<CameraPointer>& cameras) {
   std::string words;
-  for (const Camera_& camera : cameras)
+  for (const CameraPointer& camera : cameras)
     words += (words.empty() ? "" : ", ") + ("\"" + model_of(*camera) + "\" (" + camera->id() + ")");
   return words;
 }
@@ -59,7 +59,7 @@ class LibcameraSource final : public CaptureSource {
 
   std::unique_ptr<CaptureStream> start(Waker& waker, Refused& refused) override {
     if (std::exchange(started_, true)) renew_system();
-    const Camera_ camera = find(refused);
+    const CameraPointer camera = find(refused);
     if (!camera) return nullptr;
     id_ = camera->id();
     model_ = model_of(*camera);
@@ -95,14 +95,14 @@ class LibcameraSource final : public CaptureSource {
     system_ = LibcameraSystem::get();
   }
 
-  Camera_ find(Refused& refused) const {
-    const std::vector<Camera_> cameras = system_->cameras();
+  CameraPointer find(Refused& refused) const {
+    const std::vector<CameraPointer> cameras = system_->cameras();
     // The one that it was before, or another of the same kind in its place.
-    for (const Camera_& camera : cameras)
+    for (const CameraPointer& camera : cameras)
       if (!id_.empty() && camera->id() == id_) return camera;
-    for (const Camera_& camera : cameras)
+    for (const CameraPointer& camera : cameras)
       if (!id_.empty() && model_of(*camera) == model_) return camera;
-    if (const Camera_ camera = id_.empty() ? named(cameras) : nullptr) return camera;
+    if (const CameraPointer camera = id_.empty() ? named(cameras) : nullptr) return camera;
     if (const std::filesystem::path node = cameras.empty() ? forbidden_node() : ""; !node.empty())
       refused = {CaptureRefusal::denied,
                  "this user may not open " + node.string() + ": add yourself to the group video and log in again"};
@@ -114,12 +114,12 @@ class LibcameraSource final : public CaptureSource {
     return nullptr;
   }
 
-  Camera_ named(const std::vector<Camera_>& cameras) const {
+  CameraPointer named(const std::vector<CameraPointer>& cameras) const {
     if (wanted_.empty()) return cameras.empty() ? nullptr : cameras.front();
-    for (const Camera_& camera : cameras)
+    for (const CameraPointer& camera : cameras)
       if (camera->id() == wanted_ || model_of(*camera) == wanted_) return camera;
-    std::vector<Camera_> alike;
-    for (const Camera_& camera : cameras)
+    std::vector<CameraPointer> alike;
+    for (const CameraPointer& camera : cameras)
       if (lower(camera->id() + "\n" + model_of(*camera)).find(lower(wanted_)) != std::string::npos)
         alike.push_back(camera);
     return alike.size() == 1 ? alike.front() : nullptr;
@@ -159,7 +159,7 @@ std::unique_ptr<CaptureSource> make_libcamera_source(const std::string& name, co
 std::vector<CameraListing> list_cameras() {
   const std::shared_ptr<LibcameraSystem> system = LibcameraSystem::get();
   std::vector<CameraListing> list;
-  for (const Camera_& camera : system->cameras()) {
+  for (const CameraPointer& camera : system->cameras()) {
     CameraListing& one = list.emplace_back(CameraListing{.id = camera->id(), .model = model_of(*camera)});
     if (const auto config = camera->generateConfiguration({libcamera::StreamRole::VideoRecording});
         config && !config->empty())
