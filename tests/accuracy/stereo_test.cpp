@@ -27,8 +27,7 @@ TEST(Stereo, TellsAnyPoseBetterThanEither) {
 }
 
 TEST(Stereo, TellsAnArmThatPointsAtOneCamera) {
-  // They take seconds each.
-  const StereoScores scores = measure_pairs(StereoScene::pointing, few / 2);
+  const StereoScores scores = measure_pairs(StereoScene::pointing, few);
   expect_all_there(scores);
   EXPECT_LT(quantile(scores.both.rotation_deg, 0.5), 0.5 * quantile(scores.left.rotation_deg, 0.5));
   EXPECT_LT(quantile(scores.both.position_mm, 0.5), quantile(scores.left.position_mm, 0.5));
