@@ -150,35 +150,36 @@ void add_marker(CLI::App& program, MarkerOptions& options) {
   show.add_option("marker", options.which, help::which)->type_name("ID|NAME")->required();
 }
 
-void add_calibrate(CLI::App& program, CalibrateOptions& options) {
-  CLI::App& calibrate = *program.add_subcommand("calibrate", help::calibrate);
-  calibrate.require_subcommand(0, 1);
-  CLI::App& head = *calibrate.add_subcommand("head", help::calibrate_head);
-  head.footer(help::calibrate_examples);
-  add_camera(head, options.source);
-  head.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE");
-  head.add_option("--display", options.display, help::calibrate_display)
+/// What every calibration from a head that moves has.
+void add_sights(CLI::App& command, CalibrateOptions& options) {
+  add_camera(command, options.source);
+  command.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE");
+  command.add_option("--display", options.display, help::calibrate_display)
       ->type_name("SPEC")
       ->check(one_of({{"openxr", More::none}}, "openxr"))
       ->capture_default_str();
+  command.add_option("--seconds", options.seconds, help::calibrate_seconds)
+      ->type_name("S")
+      ->check(number_between(1e-3, 1e6, " seconds"));
+  command.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
+  auto* poses = command.add_option("--head-poses", options.head_poses, help::head_poses);
+  poses->type_name("FILE.jsonl")->check(not_empty());
+  for (const char* live : {"--display", "--seconds", "--gpu"}) poses->excludes(command.get_option(live));
+}
+
+void add_calibrate_head(CLI::App& calibrate, CalibrateOptions& options) {
+  CLI::App& head = *calibrate.add_subcommand("head", help::calibrate_head);
+  head.footer(help::calibrate_examples);
+  add_sights(head, options);
   head.add_option("--output", options.output, help::calibrate_output)
       ->type_name("FILE")
       ->required()
       ->check(not_empty());
-  head.add_option("--seconds", options.seconds, help::calibrate_seconds)
-      ->type_name("S")
-      ->check(number_between(1e-3, 1e6, " seconds"));
-  head.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
-  auto* poses = head.add_option("--head-poses", options.head_poses, help::head_poses);
-  poses->type_name("FILE.jsonl")->check(not_empty());
   auto* replay = head.add_option("--replay", options.replay, help::calibrate_replay)->type_name("FILE");
   replay->check(not_empty());
   head.add_option("--headset", options.headset, help::headset)->type_name("NAME")->check(not_empty());
-  for (const char* live : {"--display", "--seconds", "--gpu"}) {
-    poses->excludes(head.get_option(live));
-    replay->excludes(head.get_option(live));
-  }
-  for (const char* pictures : {"--camera", "--catalog", "--fov", "--calibration", "--readout-ms", "--head-poses"})
+  for (const char* pictures : {"--camera", "--catalog", "--fov", "--calibration", "--readout-ms", "--head-poses",
+                               "--display", "--seconds", "--gpu"})
     replay->excludes(head.get_option(pictures));
 }
 
@@ -186,19 +187,14 @@ void add_calibrate_camera(CLI::App& calibrate, CalibrateOptions& options) {
   CLI::App& camera = *calibrate.add_subcommand("camera", help::calibrate_camera);
   camera.footer(help::calibrate_camera_examples);
   camera.add_flag("--clock", help::calibrate_clock)->required();
-  add_camera(camera, options.source);
-  camera.add_option("--catalog", options.catalog, help::catalog)->type_name("FILE");
-  camera.add_option("--display", options.display, help::calibrate_display)
-      ->type_name("SPEC")
-      ->check(one_of({{"openxr", More::none}}, "openxr"))
-      ->capture_default_str();
-  camera.add_option("--seconds", options.seconds, help::calibrate_seconds)
-      ->type_name("S")
-      ->check(number_between(1e-3, 1e6, " seconds"));
-  camera.add_option("--gpu", options.gpu, help::gpu)->type_name("NAME|NUMBER")->check(not_empty());
-  auto* poses = camera.add_option("--head-poses", options.head_poses, help::head_poses);
-  poses->type_name("FILE.jsonl")->check(not_empty());
-  for (const char* live : {"--display", "--seconds", "--gpu"}) poses->excludes(camera.get_option(live));
+  add_sights(camera, options);
+}
+
+void add_calibrate(CLI::App& program, CalibrateOptions& options) {
+  CLI::App& calibrate = *program.add_subcommand("calibrate", help::calibrate);
+  calibrate.require_subcommand(0, 1);
+  add_calibrate_head(calibrate, options);
+  add_calibrate_camera(calibrate, options);
 }
 
 void add_doctor(CLI::App& program, DoctorOptions& options) {
@@ -228,7 +224,6 @@ struct Program {
     add_track(app, track);
     add_marker(app, marker);
     add_calibrate(app, calibrate);
-    add_calibrate_camera(*app.get_subcommand("calibrate"), calibrate);
     add_doctor(app, doctor);
   }
 

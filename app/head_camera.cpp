@@ -3,7 +3,7 @@
 namespace onestroke {
 
 Camera::Status HeadCamera::next(PictureHandle& picture) {
-  const Status status = camera_->next(picture);
+  const Status status = wrapped().next(picture);
   if (status != Status::ok) return status;
   T_world_camera_ = mount_.T_world_camera(picture->exposure.middle()).value_or(T_world_camera_);
   picture.set_T_world_camera(T_world_camera_);

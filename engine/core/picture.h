@@ -25,12 +25,15 @@ struct Intrinsics {
   /// 1-5).
   static Intrinsics from_fov(int width, int height, double horizontal_fov_rad);
   bool distorted() const { return distortion != std::array<double, 5>{}; }
+  friend bool operator==(const Intrinsics&, const Intrinsics&) = default;
 };
 
 /// A picture as far as it must be known to stand in for it.
 struct PictureLens {
   int width = 0, height = 0;  ///< Pixels; 0 before the first picture.
   Intrinsics intrinsics;
+
+  friend bool operator==(const PictureLens&, const PictureLens&) = default;
 };
 
 /// When the light of a picture was gathered. Row v of height H is exposed from start + v/(H-1) * readout to that +

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/lower_case.h"
 #include "render/instance.h"
 #include "render/vulkan_hooks.h"
 
@@ -28,11 +29,6 @@ std::string list_of(const std::vector<vk::raii::PhysicalDevice>& devices) {
   std::string text;
   for (std::size_t i = 0; i < devices.size(); ++i)
     text += (i ? ", " : "") + std::to_string(i) + " " + devices[i].getProperties().deviceName.data();
-  return text;
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "render/picture_store.h"
 
 #include "core/error.h"
+#include "core/picture_planes.h"
 #include "render/graphics_pipeline.h"
 #include "render/upload.h"
 #include "shaders/shared.h"
@@ -16,32 +17,33 @@ using Stage = vk::PipelineStageFlagBits2;
 using Reach = vk::AccessFlagBits2;
 using Layout = vk::ImageLayout;
 
-/// How the bytes of one plane lie, and how they are packed: rows from one word to a whole number of them.
-struct PlaneShape {
-  std::uint32_t row_bytes = 0, rows = 0;
-};
-
+/// How the planes are packed: each row from one word to a whole number of them.
 struct Packing {
   std::uint32_t format = 0, row_words = 0;
   std::array<PlaneShape, 2> planes;
 
-  std::uint32_t rows() const { return planes[0].rows + planes[1].rows; }
+  std::uint32_t rows() const { return static_cast<std::uint32_t>(planes[0].rows + planes[1].rows); }
 };
 
-Packing packing_of(const Picture& p) {
-  const auto w = static_cast<std::uint32_t>(p.width), h = static_cast<std::uint32_t>(p.height);
-  const auto words_of = [](std::uint32_t bytes) { return (bytes + 3) / 4; };
-  switch (p.format) {
+std::uint32_t unpacker_of(PixelFormat format) {
+  switch (format) {
     case PixelFormat::rgb8:
-      return {UNPACK_RGB8, words_of(3 * w), {{{3 * w, h}, {}}}};
+      return UNPACK_RGB8;
     case PixelFormat::gray8:
-      return {UNPACK_GRAY8, words_of(w), {{{w, h}, {}}}};
+      return UNPACK_GRAY8;
     case PixelFormat::nv12:
-      return {UNPACK_NV12, words_of(w), {{{w, h}, {(w + 1) / 2 * 2, (h + 1) / 2}}}};
+      return UNPACK_NV12;
     case PixelFormat::yuyv:
-      return {UNPACK_YUYV, (w + 1) / 2, {{{(w + 1) / 2 * 4, h}, {}}}};
+      return UNPACK_YUYV;
   }
   throw Error("a picture has an unknown pixel format");
+}
+
+Packing packing_of(const Picture& p) {
+  const auto shape = [&p](std::size_t plane) { return plane_shape(p.format, p.width, p.height, plane); };
+  const std::array planes{shape(0), shape(1)};
+  const std::size_t longest = std::max(planes[0].row_bytes, planes[1].row_bytes);
+  return {unpacker_of(p.format), static_cast<std::uint32_t>((longest + 3) / 4), planes};
 }
 
 [[noreturn]] void refuse(const Picture& p, const std::string& what) {
@@ -145,10 +147,8 @@ void PictureStore::set(const Picture& p) {
 void PictureStore::follow_lens(const Picture& p) {
   // In picture heights; see passthrough.frag.
   constexpr double glow = 0.1;
-  const Intrinsics &was = intrinsics_, &is = p.intrinsics;
-  const bool same = width_ == p.width && height_ == p.height && was.fx == is.fx && was.fy == is.fy && was.cx == is.cx &&
-                    was.cy == is.cy && was.distortion == is.distortion;
-  if (same) return;
+  const Intrinsics& is = p.intrinsics;
+  if (width_ == p.width && height_ == p.height && intrinsics_ == is) return;
   bounds_ = picture_bounds(is, p.width, p.height, glow);
   inside_ = inner_bounds(is, p.width, p.height);
   lens_placement_ = {};

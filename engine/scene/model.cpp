@@ -1,6 +1,7 @@
 #include "scene/model.h"
 
 #include "core/error.h"
+#include "core/lower_case.h"
 #include "scene/file_bytes.h"
 #include "scene/gltf_file.h"
 #include "scene/mesh_file.h"
@@ -17,19 +18,12 @@ namespace {
 
 enum class Kind { gltf, stl, obj, ply, unknown };
 
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 // By the first bytes where a format has some of its own, otherwise by the file's name.
 Kind kind_of(const std::filesystem::path& file, const Bytes& bytes) {
   const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
   if (start == "glTF") return Kind::gltf;
   if (start == "ply\n" || start == "ply\r") return Kind::ply;
-  const std::string extension = lower_extension(file);
+  const std::string extension = lower_case(file.extension().string());
   if (extension == ".gltf" || extension == ".glb") return Kind::gltf;
   if (extension == ".stl") return Kind::stl;
   if (extension == ".obj") return Kind::obj;

@@ -23,7 +23,6 @@ struct CaptureFormat {
   CaptureCoding coding = CaptureCoding::yuyv;
   PictureSize size;
   std::array<std::size_t, 2> strides{};  ///< Bytes a row, per plane; unused for mjpeg.
-  double rate = 0;                       ///< Pictures a second; 0 where the device does not say.
 };
 
 /// When a driver stamps a picture.

@@ -2,9 +2,9 @@
 
 #include "camera/picture_file.h"
 #include "core/error.h"
+#include "core/lower_case.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <vector>
 
@@ -17,9 +17,7 @@ std::vector<std::string> picture_names(const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    std::string ending = entry.path().extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = lower_case(entry.path().extension().string());
     const bool picture = ending == ".jpg" || ending == ".jpeg" || ending == ".png";
     if (picture && !entry.is_directory(error)) names.push_back(entry.path().filename().string());
   }

@@ -1,5 +1,6 @@
 #include "camera/frame_pixels.h"
 
+#include "core/picture_planes.h"
 #include "files/libav.h"
 
 #include <algorithm>
@@ -90,25 +91,20 @@ std::size_t FramePixels::bytes() const {
 bool FramePixels::fill(const AVFrame& frame, std::uint8_t* buffer, Picture& picture) {
   if (frame.width != width_ || frame.height != height_) return false;
   if (format_ != PixelFormat::rgb8 && (frame.format != pixels_ || format_for(frame) != format_)) return false;
-  const auto w = static_cast<std::size_t>(width_);
-  const auto row = format_ == PixelFormat::rgb8 ? 3 * w : format_ == PixelFormat::yuyv ? 2 * w : w;
   picture.width = width();
   picture.height = height();
   picture.format = format_;
-  picture.planes[0] = buffer;
-  picture.strides[0] = turn_ % 180 == 0 ? row : 3 * static_cast<std::size_t>(height_);
+  set_planes(picture, buffer);
   if (format_ == PixelFormat::rgb8) {
     if (turn_ == 0) return convert(frame, buffer);
     if (!convert(frame, upright_.data())) return false;
     turn_rgb(upright_.data(), width_, height_, turn_, buffer);
     return true;
   }
-  copy_rows(frame.data[0], frame.linesize[0], row, height_, buffer);
-  if (format_ != PixelFormat::nv12) return true;
-  std::uint8_t* uv = buffer + row * static_cast<std::size_t>(height_);
-  copy_rows(frame.data[1], frame.linesize[1], row, height_ / 2, uv);
-  picture.planes[1] = uv;
-  picture.strides[1] = row;
+  copy_rows(frame.data[0], frame.linesize[0], picture.strides[0], height_, buffer);
+  if (format_ == PixelFormat::nv12)
+    copy_rows(frame.data[1], frame.linesize[1], picture.strides[1], height_ / 2,
+              buffer + picture.strides[0] * static_cast<std::size_t>(height_));
   return true;
 }
 

@@ -58,7 +58,7 @@ struct JpegDecoder::Impl {
   Impl& operator=(const Impl&) = delete;
 
   /// Nothing in here has a destructor, which a jump would pass by.
-  Result decode(std::span<const std::uint8_t> jpeg, Size size, std::uint8_t* rgb, std::size_t stride) noexcept {
+  Result decode(std::span<const std::uint8_t> jpeg, PictureSize size, std::uint8_t* rgb, std::size_t stride) noexcept {
     errors.damaged = false;
     if (setjmp(errors.way_out) != 0) {
       abort();
@@ -88,7 +88,7 @@ struct JpegDecoder::Impl {
 JpegDecoder::JpegDecoder() : impl_(std::make_unique<Impl>()) {}
 JpegDecoder::~JpegDecoder() = default;
 
-JpegDecoder::Result JpegDecoder::decode(std::span<const std::uint8_t> jpeg, Size size, std::uint8_t* rgb,
+JpegDecoder::Result JpegDecoder::decode(std::span<const std::uint8_t> jpeg, PictureSize size, std::uint8_t* rgb,
                                         std::size_t stride) noexcept {
   if (!jpeg_is_complete(jpeg)) return Result::cut;
   return impl_->decode(jpeg, size, rgb, stride);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "camera/live_options.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -17,9 +19,6 @@ class JpegDecoder {
     damaged,     ///< It cannot be decoded as a whole.
     other_size,  ///< Of another size than was asked for.
   };
-  struct Size {
-    int width = 0, height = 0;
-  };
 
   JpegDecoder();
   ~JpegDecoder();
@@ -29,7 +28,7 @@ class JpegDecoder {
   /// Decodes into rows of `stride` bytes; `rgb` has size.height of them. Whatever is not ok leaves it undefined. Bytes
   /// behind the end mark, which cameras send, are none of the picture. Tables that cameras leave out are the usual
   /// ones.
-  Result decode(std::span<const std::uint8_t> jpeg, Size size, std::uint8_t* rgb, std::size_t stride) noexcept;
+  Result decode(std::span<const std::uint8_t> jpeg, PictureSize size, std::uint8_t* rgb, std::size_t stride) noexcept;
 
  private:
   struct Impl;

@@ -26,12 +26,12 @@ std::string number(double value) {
 }
 
 template <typename Value>
-bool set(const Wish<Value>& wish, const libcamera::ControlInfoMap& offered, libcamera::ControlList& list,
+void set(const Wish<Value>& wish, const libcamera::ControlInfoMap& offered, libcamera::ControlList& list,
          std::vector<std::string>& shortfalls) {
   const auto info = offered.find(wish.control.id());
   if (info == offered.end()) {
     shortfalls.push_back(std::string(wish.option) + " has no effect: libcamera cannot set it on this camera");
-    return false;
+    return;
   }
   Value value = wish.value;
   if (!info->second.max().isNone()) {
@@ -45,7 +45,6 @@ bool set(const Wish<Value>& wish, const libcamera::ControlInfoMap& offered, libc
     }
   }
   list.set(wish.control, value);
-  return true;
 }
 
 void turn_off(const libcamera::Control<bool>& automatic, const libcamera::ControlInfoMap& offered,

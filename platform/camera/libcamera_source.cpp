@@ -6,10 +6,9 @@
 #include "camera/live_session.h"
 #include "camera/v4l2_controls.h"
 #include "core/error.h"
+#include "core/lower_case.h"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -17,11 +16,6 @@ namespace onestroke {
 namespace {
 
 using CameraPointer = std::shared_ptr<libcamera::Camera>;
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string words_of(const std::vector<CameraPointer>& cameras) {
   std::string words;
@@ -71,15 +65,15 @@ class LibcameraSource final : public CaptureSource {
     LibcameraStream::Setup setup{
         .choice = choose_format(formats_of(config->at(0).formats(), options_), options_, name()),
         .controls = libcamera::ControlList()};
-    const VideoNode node = usb_node(id_);
+    const std::filesystem::path node = usb_node(id_);
     // What sensors' drivers stamp is the frame's first row on its way; see README.
-    setup.stamped = node.driver == "uvcvideo" ? StampMoment::reception : StampMoment::readout_start;
+    setup.stamped = node.empty() ? StampMoment::readout_start : StampMoment::reception;
     std::vector<std::string> shortfalls;
     setup.controls = controls_for(camera->controls(), options_, shortfalls);
     try {
       auto stream = std::make_unique<LibcameraStream>(camera, std::move(config), setup, waker);
       if (camera->controls().find(libcamera::controls::ColourTemperature.id()) == camera->controls().end())
-        set_v4l2_controls(node.device, options_, shortfalls);
+        set_v4l2_controls(node, options_, shortfalls);
       tell(setup.choice, shortfalls);
       return stream;
     } catch (const std::system_error& error) {
@@ -120,7 +114,7 @@ class LibcameraSource final : public CaptureSource {
       if (camera->id() == wanted_ || model_of(*camera) == wanted_) return camera;
     std::vector<CameraPointer> alike;
     for (const CameraPointer& camera : cameras)
-      if (lower(camera->id() + "\n" + model_of(*camera)).find(lower(wanted_)) != std::string::npos)
+      if (lower_case(camera->id() + "\n" + model_of(*camera)).find(lower_case(wanted_)) != std::string::npos)
         alike.push_back(camera);
     return alike.size() == 1 ? alike.front() : nullptr;
   }

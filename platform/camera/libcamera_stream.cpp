@@ -54,8 +54,7 @@ void LibcameraStream::configure(libcamera::CameraConfiguration& config, const Se
   stream_ = wanted.stream();
   format_ = {.coding = setup.choice.coding,
              .size = setup.choice.size,
-             .strides = {wanted.stride, setup.choice.coding == CaptureCoding::nv12 ? wanted.stride : 0},
-             .rate = setup.rate};
+             .strides = {wanted.stride, setup.choice.coding == CaptureCoding::nv12 ? wanted.stride : 0}};
 }
 
 void LibcameraStream::map_buffers() {

@@ -21,7 +21,6 @@ class LibcameraStream final : public CaptureStream {
   struct Setup {
     FormatChoice choice;
     StampMoment stamped = StampMoment::exposure_start;
-    double rate = 0;
     libcamera::ControlList controls;
   };
 

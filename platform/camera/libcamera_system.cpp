@@ -56,7 +56,7 @@ std::string model_of(const libcamera::Camera& camera) {
   return model && !model->empty() ? *model : camera.id();
 }
 
-VideoNode usb_node(const std::string& id, const fs::path& classes) {
+fs::path usb_node(const std::string& id, const fs::path& classes) {
   std::error_code unknown;
   for (fs::directory_iterator at(classes / "video4linux", unknown), end; !unknown && at != end; at.increment(unknown)) {
     const fs::path device = at->path() / "device";
@@ -68,7 +68,7 @@ VideoNode usb_node(const std::string& id, const fs::path& classes) {
     int index = -1;
     std::ifstream(at->path() / "index") >> index;
     if (index == 0 && port != std::string::npos && id.find(place.substr(port) + "-") != std::string::npos)
-      return {fs::path("/dev") / at->path().filename(), "uvcvideo"};
+      return fs::path("/dev") / at->path().filename();
   }
   return {};
 }

@@ -34,14 +34,8 @@ class LibcameraSystem {
 /// What a maker calls it; its id where it has no name.
 std::string model_of(const libcamera::Camera& camera);
 
-/// A V4L2 device of this computer.
-struct VideoNode {
-  std::filesystem::path device{};  ///< /dev/video0
-  std::string driver{};            ///< uvcvideo
-};
-
-/// The node of a USB camera; its driver is empty for any other camera. `classes` is /sys/class.
-VideoNode usb_node(const std::string& id, const std::filesystem::path& classes = "/sys/class");
+/// The V4L2 device of a USB camera, as /dev/video0; empty for any other camera. `classes` is /sys/class.
+std::filesystem::path usb_node(const std::string& id, const std::filesystem::path& classes = "/sys/class");
 
 /// A video device that is there and that this user may not open; empty where there is none.
 std::filesystem::path forbidden_node(const std::filesystem::path& devices = "/dev");

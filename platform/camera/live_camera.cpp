@@ -70,7 +70,7 @@ class LiveCamera final : public Camera {
 
   std::string message() const override { return message_; }
   bool live() const override { return true; }
-  double rate() const override { return rate_; }
+  double rate() const override { return options_.rate.value_or(usual_rate); }
   std::size_t length() const override { return 0; }
   std::string_view trouble() const override { return trouble_.load(std::memory_order_acquire); }
   std::uint64_t lost() const override { return lost_.load(std::memory_order_relaxed); }
@@ -111,7 +111,6 @@ class LiveCamera final : public Camera {
     session_ = std::make_unique<LiveSession>(std::move(stream), waker_);
     const CaptureFormat& format = session_->format();
     intrinsics_ = lens_.intrinsics(format.size.width, format.size.height, "camera " + source_->name());
-    rate_ = format.rate > 0 ? format.rate : options_.rate.value_or(usual_rate);
     clock_ = {};
     last_.reset();
     waiting_count_ = 0;
@@ -148,23 +147,24 @@ class LiveCamera final : public Camera {
   bool take(PictureHandle& picture) {
     fetch();
     while (waiting_count_ > 0) {
-      const Capture capture = waiting_.front();
-      std::shift_left(waiting_.begin(), waiting_.end(), 1);
-      --waiting_count_;
-      if (make(capture, picture)) return true;
+      if (make(oldest(), picture)) return true;
     }
     return false;
+  }
+
+  /// Of those that wait, which is then one less.
+  Capture oldest() {
+    const Capture capture = waiting_.front();
+    std::shift_left(waiting_.begin(), waiting_.end(), 1);
+    --waiting_count_;
+    return capture;
   }
 
   /// What the device has filled; of more than can wait the newest.
   void fetch() {
     while (const auto capture = session_->stream().take()) {
       heard_ = Time::now();
-      if (waiting_count_ == waiting_.size()) {
-        session_->stream().give(waiting_.front().buffer);
-        std::shift_left(waiting_.begin(), waiting_.end(), 1);
-        --waiting_count_;
-      }
+      if (waiting_count_ == waiting_.size()) session_->stream().give(oldest().buffer);
       waiting_[waiting_count_++] = *capture;
     }
   }
@@ -237,7 +237,6 @@ class LiveCamera final : public Camera {
   StampClock::Clock said_clock_ = StampClock::Clock::unknown;
   Time tried_, heard_;
   int damaged_ = 0;
-  double rate_ = usual_rate;
   std::atomic<const char*> trouble_{""};
   std::atomic<std::uint64_t> lost_{0};
   std::string message_;

@@ -1,60 +1,31 @@
 #include "camera/live_session.h"
 
 #include "camera/picture_bytes.h"
+#include "core/picture_planes.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace onestroke {
 namespace {
 
-constexpr std::size_t rows_of(std::size_t index, const PictureSize& size) {
-  const auto height = static_cast<std::size_t>(size.height);
-  return index == 0 ? height : (height + 1) / 2;
-}
-
-std::size_t row_bytes(CaptureCoding coding, std::size_t index, int width) {
-  const auto w = static_cast<std::size_t>(width), even = (w + 1) / 2 * 2;
-  switch (coding) {
-    case CaptureCoding::nv12:
-      return index == 0 ? w : even;
-    case CaptureCoding::yuyv:
-      return index == 0 ? 2 * even : 0;
-    case CaptureCoding::rgb8:
-    case CaptureCoding::bgr8:
-    case CaptureCoding::mjpeg:
-      break;
-  }
-  return index == 0 ? 3 * w : 0;
-}
-
-constexpr std::size_t planes = 2;
-
-std::size_t packed_bytes(const CaptureFormat& format) {
-  std::size_t bytes = 0;
-  for (std::size_t i = 0; i < planes; ++i)
-    bytes += row_bytes(format.coding, i, format.size.width) * rows_of(i, format.size);
-  return bytes;
+PixelFormat pixel_format(CaptureCoding coding) {
+  if (coding == CaptureCoding::nv12) return PixelFormat::nv12;
+  return coding == CaptureCoding::yuyv ? PixelFormat::yuyv : PixelFormat::rgb8;
 }
 
 /// What the device must have sent for a picture to be whole, and must have room for.
 bool has_rows(const CaptureStream& stream, const Capture& capture) {
   const CaptureFormat& format = stream.format();
   std::size_t needed = 0;
-  for (std::size_t i = 0; i < planes; ++i) {
-    const std::size_t row = row_bytes(format.coding, i, format.size.width), rows = rows_of(i, format.size);
-    if (row == 0) continue;
+  for (std::size_t i = 0; i < format.strides.size(); ++i) {
+    const PlaneShape shape = plane_shape(pixel_format(format.coding), format.size.width, format.size.height, i);
+    if (shape.rows == 0) continue;
     // The last row may end without its padding.
-    const std::size_t plane = format.strides.at(i) * (rows - 1) + row;
-    if (format.strides.at(i) < row || stream.plane(capture.buffer, i).size() < plane) return false;
+    const std::size_t plane = format.strides.at(i) * (shape.rows - 1) + shape.row_bytes;
+    if (format.strides.at(i) < shape.row_bytes || stream.plane(capture.buffer, i).size() < plane) return false;
     needed += plane;
   }
   return capture.bytes >= needed;
-}
-
-PixelFormat pixel_format(CaptureCoding coding) {
-  if (coding == CaptureCoding::nv12) return PixelFormat::nv12;
-  return coding == CaptureCoding::yuyv ? PixelFormat::yuyv : PixelFormat::rgb8;
 }
 
 }  // namespace
@@ -68,7 +39,7 @@ LiveSession::LiveSession(std::unique_ptr<CaptureStream> stream, Waker& waker)
     for (std::size_t i = 0; i < stream_->buffers(); ++i) lent_[i].lender = this;
     return;
   }
-  pool_.emplace(pictures, packed_bytes(format()));
+  pool_.emplace(pictures, plane_bytes(pixel_format(coding), format().size.width, format().size.height));
   if (coding != CaptureCoding::mjpeg) return;
   jpegs_.resize(pictures);
   for (auto& jpeg : jpegs_) jpeg.reserve(stream_->plane(0, 0).size());
@@ -112,13 +83,19 @@ LiveSession::Made LiveSession::make(const Capture& capture, PictureHandle& pictu
 
 LiveSession::Made LiveSession::lend(const Capture& capture, PictureHandle& picture, const Picture& about) noexcept {
   Lent& lent = lent_[capture.buffer];
-  lent.picture = about;
-  lent.picture.format = pixel_format(format().coding);
-  lent.picture.strides = format().strides;
-  for (std::size_t i = 0; i < planes; ++i) lent.picture.planes.at(i) = stream_->plane(capture.buffer, i).data();
+  lent.picture = in_device(capture, about);
   lent.place.store(Place::out, std::memory_order_relaxed);
   picture = PictureHandle(lent);
   return Made::ok;
+}
+
+/// The picture where the device put it.
+Picture LiveSession::in_device(const Capture& capture, const Picture& about) const noexcept {
+  Picture p = about;
+  p.format = pixel_format(format().coding);
+  p.strides = format().strides;
+  for (std::size_t i = 0; i < p.planes.size(); ++i) p.planes.at(i) = stream_->plane(capture.buffer, i).data();
+  return p;
 }
 
 LiveSession::Made LiveSession::copy(const Capture& capture, PictureHandle& picture, const Picture& about) noexcept {
@@ -136,28 +113,22 @@ LiveSession::Made LiveSession::copy(const Capture& capture, PictureHandle& pictu
   return Made::ok;
 }
 
-/// Packs the planes one behind the other.
 bool LiveSession::fill(const Capture& capture, Picture& p, std::span<std::uint8_t> bytes) noexcept {
-  const CaptureCoding coding = format().coding;
-  const PictureSize& size = format().size;
-  p.format = pixel_format(coding);
-  std::uint8_t* to = bytes.data();
-  for (std::size_t i = 0; i < planes; ++i) {
-    p.strides.at(i) = row_bytes(coding, i, size.width);
-    p.planes.at(i) = p.strides.at(i) > 0 ? to : nullptr;
-    to += p.strides.at(i) * rows_of(i, size);
+  const Picture sent = in_device(capture, p);
+  p.format = sent.format;
+  set_planes(p, bytes.data());
+  switch (format().coding) {
+    case CaptureCoding::mjpeg:
+      return decode(capture, p, bytes);
+    case CaptureCoding::bgr8:
+      swap_to_rgb(sent.planes[0], sent.strides[0], p.width, p.height, bytes.data());
+      return true;
+    case CaptureCoding::nv12:
+    case CaptureCoding::yuyv:
+    case CaptureCoding::rgb8:
+      break;
   }
-  if (coding == CaptureCoding::mjpeg) return decode(capture, p, bytes);
-  if (coding == CaptureCoding::bgr8) {
-    swap_to_rgb(stream_->plane(capture.buffer, 0).data(), format().strides[0], size.width, size.height, bytes.data());
-    return true;
-  }
-  to = bytes.data();
-  for (std::size_t i = 0; i < planes && p.planes.at(i); ++i) {
-    const std::uint8_t* from = stream_->plane(capture.buffer, i).data();
-    for (std::size_t row = 0; row < rows_of(i, size); ++row, from += format().strides.at(i), to += p.strides.at(i))
-      std::memcpy(to, from, p.strides.at(i));
-  }
+  copy_planes(sent, bytes.data());
   return true;
 }
 
@@ -168,8 +139,7 @@ bool LiveSession::decode(const Capture& capture, Picture& p, std::span<std::uint
   const std::size_t length = std::min({capture.bytes, sent.size(), jpeg.capacity()});
   jpeg.assign(sent.begin(), sent.begin() + static_cast<std::ptrdiff_t>(length));
   p.jpeg = jpeg;
-  return jpeg_.decode(jpeg, {format().size.width, format().size.height}, bytes.data(), p.strides[0]) ==
-         JpegDecoder::Result::ok;
+  return jpeg_.decode(jpeg, format().size, bytes.data(), p.strides[0]) == JpegDecoder::Result::ok;
 }
 
 }  // namespace onestroke

@@ -50,6 +50,7 @@ class LiveSession final : private PictureHandle::Lender {
   void give_back(PictureHandle::Loan& loan) noexcept override;
   Made lend(const Capture& capture, PictureHandle& picture, const Picture& about) noexcept;
   Made copy(const Capture& capture, PictureHandle& picture, const Picture& about) noexcept;
+  Picture in_device(const Capture& capture, const Picture& about) const noexcept;
   bool fill(const Capture& capture, Picture& p, std::span<std::uint8_t> bytes) noexcept;
   bool decode(const Capture& capture, Picture& p, std::span<std::uint8_t> bytes) noexcept;
 

@@ -181,18 +181,17 @@ bool unpack_frame(const AVFrame& frame, const Picture& p, std::uint8_t* to) {
   if (frame.width != p.width || frame.height != p.height) return false;
   if (p.format == PixelFormat::rgb8) return unpack_rgb(frame, to);
   if (frame.format != pixels_of(p.format)) return false;
-  const auto width = static_cast<std::size_t>(p.width);
   const std::size_t step = p.format == PixelFormat::yuyv ? 2 : 1;
   for (int y = 0; y < p.height; ++y) {
-    std::uint8_t* row = to + static_cast<std::size_t>(y) * step * width;
+    std::uint8_t* row = to + static_cast<std::size_t>(y) * p.strides[0];
     scatter(row_of(frame, 0, y), p.width, row, step);
     if (step == 1) continue;
     scatter(row_of(frame, 1, y), p.width / 2, row + 1, 4);
     scatter(row_of(frame, 2, y), p.width / 2, row + 3, 4);
   }
   if (p.format != PixelFormat::nv12) return true;
-  std::uint8_t* chroma = to + width * static_cast<std::size_t>(p.height);
-  for (int y = 0; y < p.height / 2; ++y, chroma += width)
+  std::uint8_t* chroma = to + p.strides[0] * static_cast<std::size_t>(p.height);
+  for (int y = 0; y < p.height / 2; ++y, chroma += p.strides[1])
     for (const int plane : {1, 2}) scatter(row_of(frame, plane, y), p.width / 2, chroma + plane - 1, 2);
   return true;
 }

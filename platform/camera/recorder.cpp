@@ -1,5 +1,7 @@
 #include "camera/recorder.h"
 
+#include "core/picture_planes.h"
+
 #include <pthread.h>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "camera/recording_format.h"
 #include "camera/video_stream.h"
 #include "core/error.h"
+#include "core/picture_planes.h"
 
 #include <algorithm>
 #include <fstream>

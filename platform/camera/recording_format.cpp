@@ -3,7 +3,6 @@
 #include "files/record_json.h"
 
 #include <array>
-#include <cstring>
 #include <string_view>
 
 namespace onestroke {
@@ -21,12 +20,6 @@ PixelFormat format_of(const std::string& word) {
   return static_cast<PixelFormat>(found - format_words.begin());
 }
 
-bool same(const PictureLens& a, const PictureLens& b) {
-  const Intrinsics &k = a.intrinsics, &l = b.intrinsics;
-  return a.width == b.width && a.height == b.height && k.fx == l.fx && k.fy == l.fy && k.cx == l.cx && k.cy == l.cy &&
-         k.distortion == l.distortion;
-}
-
 Json picture_value(const StoredPicture& p, PictureLens& lens) {
   Json value{{"sequence", p.sequence},
              {"start_ns", p.exposure.start.ns},
@@ -37,7 +30,7 @@ Json picture_value(const StoredPicture& p, PictureLens& lens) {
              {"file", p.file}};
   if (p.video) value["frame"] = p.video->frame, value["frame_ms"] = p.video->ms;
   if (!p.source.empty()) value["source"] = p.source;
-  if (!same(p.lens, lens)) value["lens"] = lens_value(p.lens);
+  if (p.lens != lens) value["lens"] = lens_value(p.lens);
   lens = p.lens;
   return value;
 }
@@ -69,41 +62,6 @@ StoredPicture stored_picture(const Picture& p) {
           .lens = {p.width, p.height, p.intrinsics},
           .T_world_camera = p.T_world_camera,
           .source = p.source};
-}
-
-std::size_t plane_bytes(PixelFormat format, int width, int height) {
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  switch (format) {
-    case PixelFormat::rgb8:
-      return 3 * pixels;
-    case PixelFormat::gray8:
-      return pixels;
-    case PixelFormat::yuyv:
-      return 2 * pixels;
-    case PixelFormat::nv12:
-      return pixels + pixels / 2;
-  }
-  return 0;
-}
-
-void set_planes(Picture& p, const std::uint8_t* bytes) {
-  const auto width = static_cast<std::size_t>(p.width);
-  const std::size_t stride = p.format == PixelFormat::rgb8   ? 3 * width
-                             : p.format == PixelFormat::yuyv ? 2 * width
-                                                             : width;
-  const bool two = p.format == PixelFormat::nv12;
-  p.planes = {bytes, two ? bytes + stride * static_cast<std::size_t>(p.height) : nullptr};
-  p.strides = {stride, two ? stride : 0};
-}
-
-void copy_planes(const Picture& from, std::uint8_t* to) {
-  Picture copy = from;
-  set_planes(copy, to);
-  for (std::size_t i = 0; i < from.planes.size() && copy.planes[i]; ++i) {
-    const int rows = i == 0 ? from.height : from.height / 2;
-    for (int y = 0; y < rows; ++y, to += copy.strides[i])
-      std::memcpy(to, from.planes[i] + static_cast<std::size_t>(y) * from.strides[i], copy.strides[i]);
-  }
 }
 
 std::string header_text(const RecordingHeader& header) {

@@ -57,11 +57,6 @@ struct StoredShot {
 
 /// All but where the pixels are.
 StoredPicture stored_picture(const Picture& picture);
-/// The bytes of a picture's planes without padding, which copy_planes() copies, one plane after the other.
-std::size_t plane_bytes(PixelFormat format, int width, int height);
-void copy_planes(const Picture& picture, std::uint8_t* to);
-/// The planes and strides of a picture, whose size and format are known, of bytes so copied.
-void set_planes(Picture& picture, const std::uint8_t* bytes);
 
 std::string header_text(const RecordingHeader& header);
 /// Throws Error where the text is no recording's header or that of a newer format.

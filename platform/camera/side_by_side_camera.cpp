@@ -1,28 +1,13 @@
 #include "camera/side_by_side_camera.h"
 
 #include "core/error.h"
+#include "core/picture_planes.h"
 
 namespace onestroke {
 namespace {
 
 // As many as a camera may have lent.
 constexpr std::size_t most_pairs = 16;
-
-/// Bytes from the left half's rows to the right one's, in each plane.
-std::array<std::size_t, 2> bytes_across(PixelFormat format, int half) {
-  const auto pixels = static_cast<std::size_t>(half);
-  switch (format) {
-    case PixelFormat::rgb8:
-      return {3 * pixels, 0};
-    case PixelFormat::gray8:
-      return {pixels, 0};
-    case PixelFormat::nv12:
-      return {pixels, pixels};
-    case PixelFormat::yuyv:
-      return {2 * pixels, 0};
-  }
-  return {};
-}
 
 /// Whether a picture may end after the column: where two pixels share their colour, not between them.
 bool divides(PixelFormat format, int column) {
@@ -33,14 +18,14 @@ bool divides(PixelFormat format, int column) {
 
 SideBySideCamera::SideBySideCamera(std::unique_ptr<Camera> camera, const std::array<LensSource, 2>& lenses,
                                    const Pose& T_first_second)
-    : camera_(std::move(camera)), lenses_(lenses), T_first_second_(T_first_second), pairs_(most_pairs) {}
+    : CameraWrapper(std::move(camera)), lenses_(lenses), T_first_second_(T_first_second), pairs_(most_pairs) {}
 
 Camera::Status SideBySideCamera::next(PictureHandle& picture) {
   if (!message_.empty()) return Status::end;
   PairPool::Pair* const pair = pairs_.acquire();
   if (!pair) return Status::busy;
   PictureHandle& whole = pair->held[0];
-  Status status = camera_->next(whole);
+  Status status = wrapped().next(whole);
   if (status == Status::ok && !fits(*whole)) status = Status::end;
   if (status != Status::ok) {
     pairs_.give_back(*pair);
@@ -51,9 +36,8 @@ Camera::Status SideBySideCamera::next(PictureHandle& picture) {
   left.width /= 2;
   left.jpeg = {};
   right = left;
-  const auto across = bytes_across(left.format, left.width);
-  for (std::size_t plane = 0; plane < across.size(); ++plane)
-    if (right.planes[plane]) right.planes[plane] += across[plane];
+  for (std::size_t plane = 0; plane < right.planes.size(); ++plane)
+    if (right.planes[plane]) right.planes[plane] += plane_shape(left.format, left.width, left.height, plane).row_bytes;
   left.intrinsics = intrinsics_[0];
   right.intrinsics = intrinsics_[1];
   right.T_world_camera = left.T_world_camera * T_first_second_;

@@ -2,7 +2,7 @@
 
 #include "camera/lens_source.h"
 #include "camera/pair_pool.h"
-#include "core/camera.h"
+#include "core/camera_wrapper.h"
 
 #include <array>
 #include <memory>
@@ -13,25 +13,17 @@ namespace onestroke {
 /// A camera whose pictures hold those of two eyes beside each other, the left one on the left: each half becomes a
 /// picture of its own, the right one the second of the left. No byte is copied. A half has no JPEG of its own, even
 /// where the whole has one.
-class SideBySideCamera final : public Camera {
+class SideBySideCamera final : public CameraWrapper {
  public:
   /// lenses: of the halves. T_first_second is where the right eye is as the left one sees it.
   SideBySideCamera(std::unique_ptr<Camera> camera, const std::array<LensSource, 2>& lenses, const Pose& T_first_second);
 
   Status next(PictureHandle& picture) override;
-  std::string message() const override { return message_.empty() ? camera_->message() : message_; }
-  bool live() const override { return camera_->live(); }
-  double rate() const override { return camera_->rate(); }
-  std::size_t length() const override { return camera_->length(); }
-  double period() const override { return camera_->period(); }
-  std::string_view trouble() const override { return camera_->trouble(); }
-  std::uint64_t lost() const override { return camera_->lost(); }
-  bool seek(Duration after_start) override { return camera_->seek(after_start); }
+  std::string message() const override { return message_.empty() ? CameraWrapper::message() : message_; }
 
  private:
   bool fits(const Picture& whole);
 
-  std::unique_ptr<Camera> camera_;
   const std::array<LensSource, 2> lenses_;
   const Pose T_first_second_;
   PairPool pairs_;

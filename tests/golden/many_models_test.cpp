@@ -1,6 +1,7 @@
 // The models that Assimp is tested with, of many makers and some broken on purpose: each is drawn, or refused with a
 // clear word.
 #include "core/error.h"
+#include "core/lower_case.h"
 #include "golden/stage.h"
 #include "scene/anchor.h"
 #include "scene/mesh_levels.h"
@@ -9,7 +10,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -29,9 +29,7 @@ std::vector<fs::path> model_files() {
   std::vector<fs::path> files;
   std::error_code missing;
   for (const auto& entry : fs::recursive_directory_iterator(models, missing)) {
-    std::string extension = entry.path().extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_case(entry.path().extension().string());
     if (std::set<std::string>{".gltf", ".glb", ".stl", ".obj", ".ply"}.contains(extension))
       files.push_back(entry.path());
   }

@@ -70,13 +70,10 @@ inline std::vector<std::uint8_t> coded(const std::uint8_t* rgb, PictureSize size
 }
 
 /// As a device lays out what coded() makes.
-inline CaptureFormat format_of(PictureSize size, CaptureCoding coding, double rate = 30) {
+inline CaptureFormat format_of(PictureSize size, CaptureCoding coding) {
   const auto width = static_cast<std::size_t>(size.width);
   const std::size_t bytes = coding == CaptureCoding::yuyv ? 2 : coding == CaptureCoding::nv12 ? 1 : 3;
-  return {.coding = coding,
-          .size = size,
-          .strides = {bytes * width, coding == CaptureCoding::nv12 ? width : 0},
-          .rate = rate};
+  return {.coding = coding, .size = size, .strides = {bytes * width, coding == CaptureCoding::nv12 ? width : 0}};
 }
 
 }  // namespace onestroke::test

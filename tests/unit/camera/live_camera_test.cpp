@@ -25,8 +25,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 constexpr PictureSize size{32, 24};
-constexpr CaptureFormat yuyv{.coding = CaptureCoding::yuyv, .size = size, .strides = {80, 0}, .rate = 30};
-constexpr CaptureFormat mjpeg{.coding = CaptureCoding::mjpeg, .size = size, .strides = {}, .rate = 0};
+constexpr CaptureFormat yuyv{.coding = CaptureCoding::yuyv, .size = size, .strides = {80, 0}};
+constexpr CaptureFormat mjpeg{.coding = CaptureCoding::mjpeg, .size = size, .strides = {}};
 constexpr std::size_t yuyv_bytes = 80 * 24;
 
 std::int64_t now_ns() {

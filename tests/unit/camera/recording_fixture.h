@@ -1,6 +1,7 @@
 #pragma once
 
 #include "camera/recorder.h"
+#include "core/picture_planes.h"
 #include "core/picture_pool.h"
 
 #include <cmath>

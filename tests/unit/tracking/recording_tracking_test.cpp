@@ -5,6 +5,7 @@
 #include "camera/jpeg_decoder.h"
 #include "camera/open_camera.h"
 #include "camera/recorder.h"
+#include "core/picture_planes.h"
 #include "core/picture_pool.h"
 #include "marker_fixture.h"
 #include "tracking/tracking_thread.h"
